@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "game/ai/pool_shots.h"
+#include "game/ai/pool_value.h"
 #include "game/ai/shot_noise.h"
 #include "game/commands/aiming.h"
 #include "game/referees/referee.h"
@@ -81,7 +82,8 @@ std::vector<BallId> PoolAim::targets(const Session& session) const {
 
 void PoolAim::begin_turn(const Session& session) {
     const PoolPlay* game = play(session);
-    const bool is_break = game && game->rules.phase == PoolPhase::breaking;
+    const bool is_break =
+        game && game->rules.phase == PoolPhase::breaking && game->rules.referee->breaks_hard();
     setup_ = {.bearing = setup_.bearing,
               .speed = std::min(is_break ? break_speed : usual_speed, most_speed(session)),
               .aids = setup_.aids};
@@ -184,7 +186,7 @@ std::string PoolAim::next_target(const Session& session, bool backwards) {
     has_aimed_ = true;
     const PoolPlay* game = play(session);
     const auto number = game ? number_of(*game, ball) : std::nullopt;
-    return pot_text_ = number ? fmt::format("full at the {}", *number) : "full at the ball";
+    return pot_text_ = "full at " + (number ? game->rules.referee->ball_name(*number) : "the ball");
 }
 
 std::string PoolAim::next_pot(const Session& session, bool backwards) {
@@ -193,8 +195,11 @@ std::string PoolAim::next_pot(const Session& session, bool backwards) {
     const auto cue = cue_ball(session);
     if (!cloth || !cue) return "there are no pockets here";
     const World& world = session.world();
-    const auto lines =
-        pot_lines(session.scene(), world, *cloth, *cue, place_of(world, *cue), targets(session));
+    const PoolPlay* const game = play(session);
+    const auto lines = game ? useful_lines(session.scene(), world, *game, *cloth,
+                                           place_of(world, *cue), targets(session))
+                            : pot_lines(session.scene(), world, *cloth, *cue, place_of(world, *cue),
+                                        targets(session));
     if (lines.empty()) return "no ball lies free to a pocket";
     if (pot_text_.empty())
         pot_ = backwards ? lines.size() - 1 : 0;
@@ -204,15 +209,14 @@ std::string PoolAim::next_pot(const Session& session, bool backwards) {
     setup_.bearing = bearing_of(line.direction);
     has_aimed_ = true;
     setup_.side = setup_.follow = 0.0;
-    const PoolPlay* game = play(session);
-    if (game && may_call_shots(game->rules)) {
+    if (game && may_call(game->rules, PoolCall::Kind::pot) && game->rules.referee->calls_pocket()) {
         setup_.intent = Intent::pocket;
         setup_.pocket = line.pocket;
     }
     const auto number = game ? number_of(*game, line.object) : std::nullopt;
     constexpr std::string_view ways[] = {"", ", by a cushion", ", kicked by a cushion"};
     pot_text_ = fmt::format("{} of {}: {} into the {}{}", pot_ % lines.size() + 1, lines.size(),
-                            number ? fmt::format("the {}", *number) : "the ball",
+                            number ? game->rules.referee->ball_name(*number) : "the ball",
                             pocket_name(session.scene(), line.pocket),
                             ways[static_cast<std::size_t>(line.way)]);
     return pot_text_;

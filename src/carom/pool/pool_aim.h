@@ -87,6 +87,7 @@ class PoolAim {
     bool is_break(const Session& session) const;
     Aids shown_aids() const;
     std::string next_target(const Session& session, bool backwards);
+    std::optional<int> marked_pocket(const Session& session) const;
     std::optional<int> nearest_pocket(const Session& session, Vec2 object, Vec2 way) const;
 
     ShotSetup setup_;

@@ -10,7 +10,9 @@ namespace carom {
 
 bool PoolAim::call_pocket(const Session& session, Vec2 place) {
     const PoolPlay* game = play(session);
-    if (!game || !may_call_shots(game->rules)) return false;
+    if (!game || !may_call(game->rules, PoolCall::Kind::pot) ||
+        !game->rules.referee->calls_pocket())
+        return false;
     const auto& pockets = session.scene().pool.pockets;
     for (std::size_t i = 0; i < pockets.size(); ++i) {
         const Capsule& shape = session.scene().world.zones()[pockets[i]].shape;
@@ -29,7 +31,8 @@ std::string PoolAim::next_call(const Session& session) {
         setup_.intent = setup_.intent == Intent::push_out ? Intent::automatic : Intent::push_out;
         return setup_.intent == Intent::push_out ? "push-out" : "no push-out";
     }
-    if (const auto why = game->rules.referee->why_no_call(game->rules); !why.empty())
+    if (const auto why = game->rules.referee->why_no_call(game->rules, PoolCall::Kind::safety);
+        !why.empty())
         return std::string(why);
     setup_.intent = setup_.intent == Intent::safety ? Intent::automatic : Intent::safety;
     return setup_.intent == Intent::safety
@@ -44,8 +47,15 @@ PoolCall PoolAim::call(const Session& session) const {
     const PoolState& rules = game->rules;
     if (rules.may_push_out && setup_.intent == Intent::push_out)
         return {PoolCall::Kind::push_out, 0, 0};
-    if (!may_call_shots(rules)) return {};
+    if (!may_call(rules, PoolCall::Kind::pot)) return {};
     if (setup_.intent == Intent::safety) return {PoolCall::Kind::safety, 0, 0};
+    if (!rules.referee->calls_pocket()) {
+        // The ball that the aim meets is the one that is named.
+        const auto line = aim_line(session.world(), *cue_ball(session), strike(session).velocity);
+        const auto met = line && line->object ? number_of(*game, *line->object) : std::nullopt;
+        if (!met || !may_hit_first(rules, *met)) return {};
+        return {PoolCall::Kind::pot, *met, 0};
+    }
     const auto* ahead = forecast_ ? std::get_if<PoolPlay>(&forecast_->game) : nullptr;
     if (ahead && !is_match_)
         for (const PoolShot::Pocketed& pocketed : ahead->shot.pocketed)

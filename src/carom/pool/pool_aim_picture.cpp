@@ -7,6 +7,7 @@
 #include "carom/pool/power_bar.h"
 #include "game/ai/pool_shots.h"
 #include "game/commands/aiming.h"
+#include "game/referees/referee.h"
 #include "geometry/elementary.h"
 
 /// Draws the aim.
@@ -36,9 +37,9 @@ std::string cut_text(const AimLine& line, const Look& look) {
 std::vector<PoolAnnotations::Number> numbers_of(const Session& session) {
     std::vector<PoolAnnotations::Number> numbers;
     if (const auto* play = std::get_if<PoolPlay>(&session.game())) {
-        for (int ball = 0; ball < 16; ++ball)
-            if (const auto id = play->balls[static_cast<std::size_t>(ball)])
-                numbers.push_back({*id, ball});
+        const std::size_t count = play->rules.referee->has_numbers() ? play->balls.size() : 1;
+        for (std::size_t ball = 0; ball < count; ++ball)
+            if (const auto id = play->balls[ball]) numbers.push_back({*id, static_cast<int>(ball)});
         return numbers;
     }
     const PoolTable& pool = session.scene().pool;
@@ -47,6 +48,26 @@ std::vector<PoolAnnotations::Number> numbers_of(const Session& session) {
         for (std::size_t i = 0; i < rack.balls.size(); ++i)
             numbers.push_back({rack.balls[i], static_cast<int>(i) + 1});
     return numbers;
+}
+
+// The pocket that is called, or the only one that serves the player.
+std::optional<int> PoolAim::marked_pocket(const Session& session) const {
+    const PoolPlay* const game = play(session);
+    if (game && !game->rules.referee->calls_pocket()) return std::nullopt;
+    const PoolCall called = call(session);
+    if (setup_.intent == Intent::pocket && called.kind != PoolCall::Kind::pot) return setup_.pocket;
+    if (called.kind == PoolCall::Kind::pot) {
+        if (shown_aids() == Aids::none && setup_.intent != Intent::pocket) return std::nullopt;
+        return called.pocket;
+    }
+    std::optional<int> only;
+    const auto pockets = static_cast<int>(session.scene().pool.pockets.size());
+    for (int pocket = 0; game && pocket < pockets; ++pocket) {
+        if (!game->rules.referee->may_pocket(game->rules, pocket)) continue;
+        if (only) return std::nullopt;
+        only = pocket;
+    }
+    return only;
 }
 
 PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
@@ -61,12 +82,9 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     const Vec2 way = strike.velocity / length(strike.velocity);
     const Vec2 tip = from - way * (1.5 * radius + 0.03 * length(strike.velocity));
     annotations.stick = PoolAnnotations::Line{tip, tip - way * (16.0 * radius)};
-    const PoolCall called = call(session);
-    if (called.kind == PoolCall::Kind::pot || setup_.intent == Intent::pocket) {
-        const int pocket = called.kind == PoolCall::Kind::pot ? called.pocket : setup_.pocket;
-        const std::uint32_t zone = session.scene().pool.pockets[static_cast<std::size_t>(pocket)];
-        if (shown_aids() != Aids::none || setup_.intent == Intent::pocket)
-            annotations.called = session.scene().world.zones()[zone].shape.start;
+    if (const auto pocket = marked_pocket(session)) {
+        const std::uint32_t zone = session.scene().pool.pockets[static_cast<std::size_t>(*pocket)];
+        annotations.called = session.scene().world.zones()[zone].shape.start;
     }
     if (shown_aids() == Aids::none) return annotations;
     if (const auto line = aim_line(world, cue, strike.velocity)) {

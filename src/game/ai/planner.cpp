@@ -1,6 +1,7 @@
 #include "game/ai/planner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -60,14 +61,25 @@ bool ShotPlanner::may_place(Vec2 place) const {
 
 void ShotPlanner::propose() {
     const Vec2 from = world_.balls().position[*index_of(world_, *play_.balls[cue_ball])];
-    if (play_.rules.phase == PoolPhase::breaking) return propose_break();
-    if (play_.rules.in_hand != CueInHand::no) propose_placed();
-    if (play_.rules.in_hand == CueInHand::no || trials_.empty()) {
-        const auto lines =
-            pot_lines(scene_, world_, cloth_, *play_.balls[cue_ball], from, legal_balls(play_));
+    const PoolState& rules = play_.rules;
+    if (rules.phase == PoolPhase::breaking)
+        return rules.referee->breaks_hard() ? propose_break() : propose_opening(from);
+    if (rules.in_hand != CueInHand::no) propose_placed();
+    if (rules.in_hand == CueInHand::no || trials_.empty()) {
+        const auto lines = useful_lines(scene_, world_, play_, cloth_, from, legal_balls(play_));
         propose_pots(std::nullopt, lines);
     }
-    propose_hits(from);
+    propose_hits(from, std::nullopt);
+}
+
+// Thin and full hits on the rack from three places: the safest that the simulation finds.
+void ShotPlanner::propose_opening(Vec2 from) {
+    const Vec2 across{0.0, size(cloth_).y * 0.25};
+    for (const double aside : {0.0, 1.0, -1.0}) {
+        const Vec2 place = from + across * aside;
+        if (may_place(place)) propose_hits(place, place);
+    }
+    if (trials_.empty()) propose_hits(from, std::nullopt);
 }
 
 // Full hits on the apex ball, with the cue ball at the centre or to the sides.
@@ -124,7 +136,8 @@ void ShotPlanner::add_pot(const PotLine& line, std::optional<Vec2> place, Vec2 d
     shot.place = place;
     shot.ball = number_of(play_, line.object);
     shot.pocket = line.pocket;
-    if (may_call_shots(play_.rules)) shot.call = {PoolCall::Kind::pot, *shot.ball, line.pocket};
+    if (may_call(play_.rules, PoolCall::Kind::pot))
+        shot.call = {PoolCall::Kind::pot, *shot.ball, line.pocket};
     shot.strike = {*play_.balls[cue_ball], direction * std::min(speed, most_speed_), side, follow};
     trial.chance = pot_chance(line, error_.bearing);
     trials_.push_back(trial);
@@ -155,23 +168,35 @@ void ShotPlanner::propose_pots(std::optional<Vec2> place, std::span<const PotLin
     }
 }
 
-void ShotPlanner::propose_hits(Vec2 from) {
+// Safeties. Where none can be called, but a ball has to be named, it is the one that is hit.
+void ShotPlanner::propose_hits(Vec2 from, std::optional<Vec2> place) {
     const BallId cue = *play_.balls[cue_ball];
     const auto add = [&](CandidateShot::Kind kind, PoolCall call, Vec2 velocity, BallId object) {
         if (trials_.size() >= most_trials + 40) return;
         Trial trial;
         trial.shot.kind = kind;
+        trial.shot.place = place;
         trial.shot.call = call;
         trial.shot.strike = {cue, velocity};
         trial.shot.ball = number_of(play_, object);
         trials_.push_back(trial);
     };
-    const bool calls = may_call_shots(play_.rules);
-    const PoolCall safety{calls ? PoolCall::Kind::safety : PoolCall::Kind::none, 0, 0};
+    const auto call_of = [&](BallId object) -> PoolCall {
+        if (may_call(play_.rules, PoolCall::Kind::safety)) return {PoolCall::Kind::safety, 0, 0};
+        if (may_call(play_.rules, PoolCall::Kind::pot))
+            return {PoolCall::Kind::pot, number_of(play_, object).value_or(0), 0};
+        return {};
+    };
+    // A longer table takes faster shots.
+    constexpr double usual_length = 2.54;
+    const double pace = std::max(1.0, std::sqrt(size(cloth_).x / usual_length));
+    // A rack has to be driven to cushions.
+    const bool is_break = play_.rules.phase == PoolPhase::breaking;
+    const std::array speeds = is_break ? std::array{1.6, 2.4, 3.4} : std::array{0.7, 1.2, 2.2};
     for (const BallId object : legal_balls(play_))
         for (const Vec2 way : hit_directions(scene_, world_, cloth_, cue, from, object))
-            for (const double speed : {0.7, 1.2, 2.2}) {
-                add(CandidateShot::Kind::safety, safety, way * speed, object);
+            for (const double speed : speeds) {
+                add(CandidateShot::Kind::safety, call_of(object), way * (speed * pace), object);
                 if (play_.rules.may_push_out && speed < 1.0)
                     add(CandidateShot::Kind::push_out, {PoolCall::Kind::push_out, 0, 0},
                         way * speed, object);
@@ -198,6 +223,7 @@ void ShotPlanner::propose_placed() {
         for (int pocket = 0; pocket < static_cast<int>(scene_.pool.pockets.size()); ++pocket) {
             const Vec2 target = mouth(scene_, cloth_, pocket);
             if (!(length(target - at) > 0.0)) continue;
+            if (!play_.rules.referee->may_pocket(play_.rules, pocket)) continue;
             const Vec2 way = unit(target - at);
             for (const double apart : {8.0, 16.0})
                 for (const double aside : {0.0, 0.35, -0.35}) {
@@ -228,7 +254,10 @@ Forecast ShotPlanner::try_out(const Trial& trial, const command::Strike& strike)
 double ShotPlanner::value_of(const Forecast& ahead) const {
     const auto& play = std::get<PoolPlay>(ahead.game);
     if (play.is_shooting) return 0.0;  // the balls did not come to rest in time
-    return value_to(play_.rules.player, scene_, ahead.world, play, cloth_, error_.bearing);
+    const double value =
+        value_to(play_.rules.player, scene_, ahead.world, play, cloth_, error_.bearing);
+    // A weak opening may have to be repeated without end: its points are not all that it costs.
+    return play.last_foul == PoolFoul::weak_opening ? std::min(value, value_of_miss) : value;
 }
 
 bool ShotPlanner::continues_turn(const Forecast& ahead) const {

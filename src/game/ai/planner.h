@@ -70,7 +70,8 @@ class ShotPlanner {
     void propose();
     void propose_break();
     void propose_pots(std::optional<Vec2> place, std::span<const PotLine> lines);
-    void propose_hits(Vec2 from);
+    void propose_opening(Vec2 from);
+    void propose_hits(Vec2 from, std::optional<Vec2> place);
     void propose_placed();
     void add_pot(const PotLine& line, std::optional<Vec2> place, Vec2 direction, double speed,
                  double side, double follow);
@@ -100,7 +101,8 @@ class ShotPlanner {
     std::vector<CandidateShot> best_;
 };
 
-/// The choice of the AI player where the rules ask for one. Pre: the phase is choosing.
+/// The choice of the AI player where the rules ask for one: that with the best outlook, the first
+/// of equals. Pre: the phase is choosing.
 PoolChoice choice_of(const Scene& scene, const World& world, const PoolPlay& play,
                      const ShotNoise& error);
 

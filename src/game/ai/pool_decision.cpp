@@ -36,7 +36,11 @@ std::string_view skill_text(int skill) {
 std::string candidate_text(const Scene& scene, const CandidateShot& shot) {
     const double speed = length(shot.strike.velocity);
     std::string text;
-    const std::string ball = shot.ball ? fmt::format("the {}", *shot.ball) : "the rack";
+    const Referee* const referee = referee_of(scene.game);
+    const auto name_of = [&](int number) {
+        return referee ? referee->ball_name(number) : fmt::format("the {}", number);
+    };
+    const std::string ball = shot.ball ? name_of(*shot.ball) : "the rack";
     const auto into = [&] { return pocket_name(scene, shot.pocket); };
     using enum CandidateShot::Kind;
     switch (shot.kind) {
@@ -68,19 +72,28 @@ std::string candidate_text(const Scene& scene, const CandidateShot& shot) {
     if (follow != 0.0) text += fmt::format(", {}", follow > 0.0 ? "follow" : "draw");
     if (side != 0.0) text += fmt::format(", {} side", side > 0.0 ? "right" : "left");
     text += fmt::format(": goes on {:.0f} %", 100.0 * shot.success);
-    if (shot.leaves) text += fmt::format(", then the {}", *shot.leaves);
+    if (shot.leaves) text += ", then " + name_of(*shot.leaves);
     return text;
 }
 
 PoolChoice choice_of(const Scene& scene, const World& world, const PoolPlay& play,
                      const ShotNoise& error) {
     const std::vector<PoolChoice>& choices = play.rules.choices;
-    if (choices.front() != PoolChoice::take_table) return choices.front();
-    PoolPlay taken = play;
-    taken.rules = choose(play.rules, PoolChoice::take_table).next;
     const auto cloth = cloth_box(scene);
-    const double value = cloth ? outlook(scene, world, taken, *cloth, error.bearing).value : 0.0;
-    return value >= 0.0 ? PoolChoice::take_table : choices[1];
+    if (choices.front() != PoolChoice::take_table || !cloth) return choices.front();
+    PoolChoice best = choices.front();
+    double most = -2.0;
+    for (const PoolChoice choice : choices) {
+        World after = world;
+        PoolPlay chosen = play;
+        make_choice(scene, after, chosen, choice);
+        const double value =
+            value_to(play.rules.player, scene, after, chosen, *cloth, error.bearing);
+        if (value <= most) continue;
+        most = value;
+        best = choice;
+    }
+    return best;
 }
 
 std::vector<Command> commands_of(const Scene& scene, const PoolPlay& play,

@@ -12,6 +12,7 @@ namespace {
 constexpr double value_of_hand = 0.75;  ///< with ball in hand
 constexpr double value_of_choosing = 0.5;
 constexpr double value_of_ball = 0.06;
+constexpr double value_of_break = 0.1;
 
 }  // namespace
 
@@ -23,25 +24,36 @@ double pot_chance(const PotLine& line, double bearing_error) {
 
 std::vector<BallId> legal_balls(const PoolPlay& play) {
     std::vector<BallId> balls;
-    for (int ball = 1; ball < 16; ++ball) {
-        const auto id = play.balls[static_cast<std::size_t>(ball)];
-        if (id && may_hit_first(play.rules, ball)) balls.push_back(*id);
-    }
+    for (std::size_t ball = 1; ball < play.balls.size(); ++ball)
+        if (play.balls[ball] && may_hit_first(play.rules, static_cast<int>(ball)))
+            balls.push_back(*play.balls[ball]);
     return balls;
+}
+
+std::vector<PotLine> useful_lines(const Scene& scene, const World& world, const PoolPlay& play,
+                                  const Box& cloth, Vec2 from, std::span<const BallId> balls) {
+    auto lines = pot_lines(scene, world, cloth, *play.balls[cue_ball], from, balls);
+    std::erase_if(lines, [&](const PotLine& line) {
+        return !play.rules.referee->may_pocket(play.rules, line.pocket);
+    });
+    return lines;
 }
 
 Outlook outlook(const Scene& scene, const World& world, const PoolPlay& play, const Box& cloth,
                 double bearing_error) {
     const PoolState& rules = play.rules;
     if (rules.winner) return {*rules.winner == rules.player ? 1.0 : -1.0, std::nullopt, 0.0};
-    if (rules.phase == PoolPhase::breaking) return {0.1, std::nullopt, 0.0};
     const double ahead = value_of_ball * rules.referee->lead(rules);
+    if (rules.phase == PoolPhase::breaking) {
+        const double value = rules.referee->breaks_hard() ? value_of_break : -value_of_break;
+        return {std::clamp(value + ahead, -0.95, 0.95), std::nullopt, 0.0};
+    }
     const auto cue = play.balls[cue_ball];
     if (!cue || rules.in_hand != CueInHand::no)
         return {std::min(0.95, value_of_hand + ahead), std::nullopt, 0.0};
     const std::vector<BallId> balls = legal_balls(play);
     const Vec2 from = world.balls().position[*index_of(world, *cue)];
-    const auto lines = pot_lines(scene, world, cloth, *cue, from, balls);
+    const auto lines = useful_lines(scene, world, play, cloth, from, balls);
     Outlook result;
     if (!lines.empty()) {
         result.chance = pot_chance(lines.front(), bearing_error);

@@ -32,4 +32,8 @@ double value_to(int player, const Scene& scene, const World& world, const PoolPl
 /// The balls that the player whose turn it is may hit first.
 std::vector<BallId> legal_balls(const PoolPlay& play);
 
+/// pot_lines() to these balls, into the pockets that serve the player whose turn it is.
+std::vector<PotLine> useful_lines(const Scene& scene, const World& world, const PoolPlay& play,
+                                  const Box& cloth, Vec2 from, std::span<const BallId> balls);
+
 }  // namespace carom

@@ -1,9 +1,12 @@
 #include "game/pool/pool.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "game/digest.h"
 #include "game/pool/shot_record.h"
+#include "game/pool/sight.h"
+#include "game/pool/spotting.h"
 #include "game/pool/table_places.h"
 #include "game/referees/referee.h"
 #include "level/scene/games.h"
@@ -13,39 +16,51 @@
 namespace carom {
 namespace {
 
-// Adds a ball like the scene's ball `like`, at rest at `place`.
-BallId put_ball(const Scene& scene, World& world, BallId like, Vec2 place) {
-    return add_ball(world, spec_at_rest(scene.world, *index_of(scene.world, like), place));
-}
-
-BallId first_id(const Scene& scene, int ball) {
-    return ball == cue_ball ? scene.pool.cue->ball
-                            : rack_of(scene).balls[static_cast<std::size_t>(ball - 1)];
-}
-
-void put_back(const Scene& scene, World& world, PoolPlay& play, int ball) {
-    const BallId like = first_id(scene, ball);
-    const double radius = scene.world.balls().radius[*index_of(scene.world, like)];
-    const Rack& rack = rack_of(scene);
-    const Vec2 spot = ball == cue_ball ? free_place(world, head_spot(scene), -rack.toward, radius)
-                                       : free_place(world, rack.foot, rack.toward, radius);
-    play.balls[static_cast<std::size_t>(ball)] = put_ball(scene, world, like, spot);
+BallId put_ball(const Scene& scene, World& world, int ball, Vec2 place) {
+    const std::size_t like = *index_of(scene.world, first_ball(scene, ball));
+    return add_ball(world, spec_at_rest(scene.world, like, place));
 }
 
 void rack_next(const Scene& scene, World& world, PoolPlay& play) {
     rack_frame(scene, world, play, play.racks + 1);
 }
 
-void carry_out(const Scene& scene, World& world, PoolPlay& play, const PoolRuling& ruling) {
-    play.rules = ruling.next;
+// Pre: play.rules is the state after the ruling.
+void set_balls(const Scene& scene, World& world, PoolPlay& play, const PoolRuling& ruling) {
+    if (ruling.rerack) return rack_next(scene, world, play);
+    if (ruling.put_back) return put_back(scene, world, play);
+    if (ruling.rack_rest) rack_rest(scene, world, play);
+    for (const int ball : ruling.respot)
+        put_on_spot(scene, world, play, ball);
+    if (play.rules.phase == PoolPhase::over) return;
+    const auto& cue = play.balls[cue_ball];
+    const bool in_d = play.rules.in_hand == CueInHand::in_d;
+    if (!cue || (in_d && !is_in_hand_area(scene, CueInHand::in_d,
+                                          world.balls().position[*index_of(world, *cue)])))
+        put_on_spot(scene, world, play, cue_ball);
+}
+
+// Pre: play.rules is the state before the ruling.
+void carry_out(const Scene& scene, World& world, PoolPlay& play, PoolRuling ruling,
+               bool is_of_shot) {
+    const PoolState before = std::exchange(play.rules, ruling.next);
+    set_balls(scene, world, play, ruling);
+    const Referee& referee = *before.referee;
+    if (is_of_shot && referee.needs_sight()) {
+        ruling.next = play.rules;
+        const bool has_called = play.call.kind == PoolCall::Kind::pot;
+        const auto named = has_called ? std::optional(play.call.ball) : play.shot.first_hit;
+        referee.see(ruling, before, sight_of(scene, world, play, play.rules, named));
+        play.rules = ruling.next;
+    }
+    if (ruling.toss)
+        play.rules.player = static_cast<int>(random_bits(world.seed(), RandomStream::level,
+                                                         number(scene.pool.cue->ball), play.shots) &
+                                             1u);
     play.last_foul = ruling.foul;
+    play.last_penalty = ruling.penalty;
     play.call = {};
     if (play.rules.winner) ++play.frames[static_cast<std::size_t>(*play.rules.winner)];
-    if (ruling.rerack) return rack_next(scene, world, play);
-    for (const int ball : ruling.respot)
-        put_back(scene, world, play, ball);
-    if (!play.balls[cue_ball] && play.rules.phase != PoolPhase::over)
-        put_back(scene, world, play, cue_ball);
 }
 
 void run_out_of_time(const Scene& scene, World& world, PoolPlay& play) {
@@ -53,7 +68,7 @@ void run_out_of_time(const Scene& scene, World& world, PoolPlay& play) {
         play.shooter = play.rules.player;
         play.shot = {};
     }
-    carry_out(scene, world, play, judge_time(play.rules));
+    carry_out(scene, world, play, judge_time(play.rules), false);
 }
 
 }  // namespace
@@ -78,6 +93,33 @@ bool is_at_rest(const World& world) {
     return std::ranges::none_of(world.balls().velocity, moves) &&
            std::ranges::none_of(world.balls().roll, moves);
 }
+
+namespace {
+
+void add_snooker(Digest& digest, const PoolPlay& play) {
+    const SnookerState& snooker = play.rules.snooker;
+    const auto add = [&digest](auto value) {
+        digest.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
+    };
+    for (const SnookerTurn& turn : {snooker.now, snooker.before}) {
+        add(turn.on);
+        add(turn.is_free);
+        add(turn.is_snookered);
+        add(turn.sees_one_full);
+        add(turn.in_hand);
+        add(turn.down);
+    }
+    add(snooker.misses);
+    add(snooker.is_miss);
+    add(snooker.is_tie);
+    for (const PoolPlay::Lay& lay : play.lay) {
+        add(lay.ball);
+        digest.add(lay.place.x);
+        digest.add(lay.place.y);
+    }
+}
+
+}  // namespace
 
 std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
     Digest digest(start);
@@ -110,8 +152,9 @@ std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
     for (const PoolChoice choice : rules.choices)
         add(choice);
     add(rules.winner.value_or(-1));
-    for (const std::optional<BallId>& ball : play.balls)
-        add(ball ? static_cast<std::int64_t>(number(*ball)) : -1);
+    constexpr std::size_t usual_balls = 16;
+    for (std::size_t ball = 0; ball < usual_balls; ++ball)
+        add(play.balls[ball] ? static_cast<std::int64_t>(number(*play.balls[ball])) : -1);
     add(play.call.kind);
     add(play.call.ball);
     add(play.call.pocket);
@@ -138,11 +181,25 @@ std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
     }
     if (play.winner_breaks) add(3);
     if (play.racks > 0) add(play.racks);
+    for (std::size_t ball = usual_balls; ball < play.balls.size(); ++ball)
+        if (play.balls[ball]) {
+            add(ball);
+            add(number(*play.balls[ball]));
+        }
+    if (rules.score != std::array<int, 2>{} || rules.run != 0 || rules.waiting != 0) {
+        add(rules.score[0]);
+        add(rules.score[1]);
+        add(rules.run);
+        add(rules.waiting);
+    }
+    if (play.last_penalty != 0) add(play.last_penalty);
+    if (rules.referee->needs_sight()) add_snooker(digest, play);
     return digest.value();
 }
 
 std::size_t bytes_of(const PoolPlay& play) {
     return play.frozen.capacity() * sizeof(PoolPlay::Frozen) +
+           play.lay.capacity() * sizeof(PoolPlay::Lay) +
            play.shot.pocketed.capacity() * sizeof(PoolShot::Pocketed) +
            play.rules.choices.capacity() * sizeof(PoolChoice);
 }
@@ -177,11 +234,12 @@ std::optional<PoolPlay> begin_pool(const Scene& scene, int breaker) {
     play.rules = begin_rack(*referee, breaker,
                             {.nine_on_break_wins = rules.nine_on_break_wins,
                              .fouls_that_lose = rules.fouls_that_lose,
+                             .points = rules.points,
+                             .foot_pockets = foot_pockets(scene),
                              .stalemate = rules.stalemate});
     play.winner_breaks = rules.winner_breaks;
-    const int count = static_cast<int>(rack_of(scene).balls.size());
-    for (int ball = 0; ball <= count; ++ball)
-        play.balls[static_cast<std::size_t>(ball)] = first_id(scene, ball);
+    for (int ball = 0; ball <= object_balls(scene); ++ball)
+        play.balls[static_cast<std::size_t>(ball)] = first_ball(scene, ball);
     play.race = scene.pool.race;
     return play;
 }
@@ -193,11 +251,11 @@ void update_pool(const Scene& scene, World& world, PoolPlay& play,
     if (!is_at_rest(world)) return;
     play.is_shooting = false;
     play.frozen.clear();
-    carry_out(scene, world, play, judge(play.rules, play.call, play.shot));
+    carry_out(scene, world, play, judge(play.rules, play.call, play.shot), true);
 }
 
 void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice choice) {
-    carry_out(scene, world, play, choose(play.rules, choice));
+    carry_out(scene, world, play, choose(play.rules, choice), false);
 }
 
 void rack_frame(const Scene& scene, World& world, PoolPlay& play, std::uint32_t frame) {
@@ -209,16 +267,16 @@ void rack_frame(const Scene& scene, World& world, PoolPlay& play, std::uint32_t 
     const Rack& rack = rack_of(scene);
     const std::vector<RackedBall> racked_balls =
         racked({rack.layout, rack.toward, rack.gap, rack.seed}, frame);
-    for (int ball = 0; ball <= static_cast<int>(rack.balls.size()); ++ball) {
-        const BallId like = first_id(scene, ball);
-        const std::size_t first = *index_of(scene.world, like);
-        Vec2 place = scene.world.balls().position[first];
-        if (ball != cue_ball) {
+    const auto in_rack = static_cast<int>(rack.balls.size());
+    for (int ball = 0; ball <= object_balls(scene); ++ball) {
+        Vec2 place = home_of(scene, ball);
+        if (ball != cue_ball && ball <= in_rack) {
             const RackedBall& at = racked_balls[static_cast<std::size_t>(ball - 1)];
-            const double radius = scene.world.balls().radius[first];
+            const double radius =
+                scene.world.balls().radius[*index_of(scene.world, first_ball(scene, ball))];
             place = rack.foot + at.shift + at.grid * (2.0 * radius + at.gap);
         }
-        play.balls[static_cast<std::size_t>(ball)] = put_ball(scene, world, like, place);
+        play.balls[static_cast<std::size_t>(ball)] = put_ball(scene, world, ball, place);
     }
 }
 

@@ -17,11 +17,14 @@
 /// and carries out the ruling, for example by spotting a ball.
 namespace carom {
 
+/// The most balls of a game, with the cue ball: those of snooker.
+inline constexpr int most_pool_balls = 22;
+
 /// Plain state: a copy together with a copy of the world continues with the same bits.
 struct PoolPlay {
     PoolState rules;
     /// Ball n; none: it is off the table.
-    std::array<std::optional<BallId>, 16> balls{};
+    std::array<std::optional<BallId>, most_pool_balls> balls{};
     PoolCall call;  ///< for the next shot
     bool is_shooting = false;
     PoolShot shot;             ///< the record of the present or the last shot
@@ -35,8 +38,17 @@ struct PoolPlay {
         friend bool operator==(const Frozen&, const Frozen&) = default;
     };
     std::vector<Frozen> frozen;
+    /// Where balls lay before the shot, in games that may put them back.
+    struct Lay {
+        int ball = 0;
+        Vec2 place;
+
+        friend bool operator==(const Lay&, const Lay&) = default;
+    };
+    std::vector<Lay> lay;
     std::optional<int> shooter;  ///< of that shot; none: no shot in this frame yet
     PoolFoul last_foul = PoolFoul::none;
+    int last_penalty = 0;  ///< points of that foul
     std::uint32_t shots = 0;
     std::uint32_t racks = 0;                ///< since the first: see level/scene/racking.h
     int breaker = 0;                        ///< of this frame

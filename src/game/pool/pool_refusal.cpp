@@ -40,10 +40,10 @@ Refusal refused(const Scene& scene, const World&, const PoolPlay& play,
     if (call.call.kind == push_out)
         return play.rules.may_push_out ? Refusal{} : "a push-out is for the shot after the break";
     if (call.call.kind == none) return std::nullopt;
-    if (const auto why = play.rules.referee->why_no_call(play.rules); !why.empty())
+    if (const auto why = play.rules.referee->why_no_call(play.rules, call.call.kind); !why.empty())
         return std::string(why);
     if (call.call.kind == safety) return std::nullopt;
-    const int last = static_cast<int>(rack_of(scene).balls.size());
+    const int last = object_balls(scene);
     if (call.call.ball < 1 || call.call.ball > last ||
         !play.balls[static_cast<std::size_t>(call.call.ball)])
         return fmt::format("the {} is not on the table", call.call.ball);
@@ -97,11 +97,9 @@ std::optional<std::string> refusal_to_place(const Scene& scene, const PoolPlay& 
     if (play.is_shooting) return "the balls still roll";
     if (play.balls[cue_ball] != std::optional(ball) || play.rules.in_hand == CueInHand::no)
         return "the ball stays where it lies";
-    const Vec2 toward = rack_of(scene).toward;
-    if (play.rules.in_hand == CueInHand::behind_head_string &&
-        dot(place - head_spot(scene), toward) > 0.0)
-        return "it must lie behind the head string";
-    return std::nullopt;
+    if (is_in_hand_area(scene, play.rules.in_hand, place)) return std::nullopt;
+    return play.rules.in_hand == CueInHand::in_d ? "it must lie in the D"
+                                                 : "it must lie behind the head string";
 }
 
 }  // namespace carom

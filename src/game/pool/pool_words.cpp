@@ -35,16 +35,21 @@ std::string task_text(const PoolPlay& play) {
     if (rules.phase == PoolPhase::breaking) return "to break, ball in hand behind the line";
     if (rules.in_hand == CueInHand::anywhere) return "ball in hand";
     if (rules.in_hand == CueInHand::behind_head_string) return "ball in hand behind the line";
+    if (rules.in_hand == CueInHand::in_d) return "ball in hand in the D";
     if (rules.may_push_out) return "to shoot, or push out";
     return "to shoot";
 }
 
-std::string fallen_text(const PoolShot& shot) {
+std::string fallen_text(const PoolPlay& play) {
+    const Referee& referee = *play.rules.referee;
+    const PoolShot& shot = play.shot;
     std::string balls;
     int count = 0;
     for (const PoolShot::Pocketed& pocketed : shot.pocketed) {
         if (pocketed.ball == cue_ball) continue;
-        balls += fmt::format("{}{}", count > 0 ? ", " : "", pocketed.ball);
+        balls += count > 0 ? ", " : "";
+        balls += referee.has_numbers() ? fmt::format("{}", pocketed.ball)
+                                       : referee.ball_name(pocketed.ball);
         ++count;
     }
     return count == 0 ? "" : fmt::format("down: {}. ", balls);
@@ -84,6 +89,12 @@ std::string_view foul_text(PoolFoul foul) {
             return "the time is up";
         case PoolFoul::behind_string:
             return "the ball met first was behind the line";
+        case PoolFoul::weak_opening:
+            return "the cue ball and two balls must meet a cushion";
+        case PoolFoul::wrong_pot:
+            return "a ball fell that was not on";
+        case PoolFoul::hidden:
+            return "snookered behind the free ball";
     }
     return "";
 }
@@ -100,14 +111,20 @@ std::string_view choice_text(PoolChoice choice) {
             return "put the 8 back and go on";
         case PoolChoice::return_push:
             return "the other must shoot";
+        case PoolChoice::replace:
+            return "put the balls back, the other must shoot";
     }
     return "";
 }
 
 std::string call_text(const Scene& scene, const PoolCall& call) {
     switch (call.kind) {
-        case PoolCall::Kind::pot:
-            return fmt::format("the {} into the {}", call.ball, pocket_name(scene, call.pocket));
+        case PoolCall::Kind::pot: {
+            const Referee& referee = *referee_of(scene.game);
+            const std::string ball = referee.ball_name(call.ball);
+            if (!referee.calls_pocket()) return ball;
+            return fmt::format("{} into the {}", ball, pocket_name(scene, call.pocket));
+        }
         case PoolCall::Kind::safety:
             return "safety";
         case PoolCall::Kind::push_out:
@@ -120,10 +137,13 @@ std::string call_text(const Scene& scene, const PoolCall& call) {
 std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
     const std::string race = play.race > 0 ? fmt::format(" to {},", play.race) : "";
-    const std::string frames = fmt::format("{}:{}{} ", play.frames[0], play.frames[1], race);
+    const std::string points = rules.referee->score_text(rules);
+    const std::string frames = fmt::format("{}:{}{} {}", play.frames[0], play.frames[1], race,
+                                           points.empty() ? "" : fmt::format("({}) ", points));
     if (rules.winner) return frames + win_text(play, names);
-    const std::string warning =
-        is_warned(rules) && !play.is_shooting ? ", the next foul loses" : "";
+    const std::string warning = is_warned(rules) && !play.is_shooting
+                                    ? ", " + std::string(rules.referee->warning_text())
+                                    : "";
     return frames + name_of(names, rules.player) + target_text(rules) + ": " + task_text(play) +
            warning;
 }
@@ -135,16 +155,20 @@ std::string clock_text(double seconds) {
 std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {
     if (!play.shooter || play.is_shooting) return "";
     const PoolState& rules = play.rules;
-    const std::string fallen = fallen_text(play.shot);
-    std::string foul = play.last_foul == PoolFoul::none
-                           ? ""
-                           : fmt::format("foul: {}. ", foul_text(play.last_foul));
+    const std::string fallen = fallen_text(play);
+    std::string foul =
+        play.last_foul == PoolFoul::none ? ""
+        : play.last_penalty == 0
+            ? fmt::format("foul: {}. ", foul_text(play.last_foul))
+            : fmt::format("foul, {}: {}. ", play.last_penalty, foul_text(play.last_foul));
     PoolState shooter = rules;
     shooter.player = *play.shooter;
     if (play.last_foul != PoolFoul::none && is_warned(shooter))
-        foul += fmt::format("{}: the next foul loses. ", name_of(names, *play.shooter));
+        foul +=
+            fmt::format("{}: {}. ", name_of(names, *play.shooter), rules.referee->warning_text());
     if (rules.phase == PoolPhase::breaking)
-        return foul + fmt::format("stalemate: {} breaks again", name_of(names, rules.player));
+        return foul + fmt::format("{}{} breaks again", foul.empty() ? "stalemate: " : "",
+                                  name_of(names, rules.player));
     if (rules.winner) return fallen + foul + win_text(play, names);
     const std::string& next = name_of(names, rules.player);
     if (rules.phase == PoolPhase::choosing) return fallen + foul + next + ": to choose";

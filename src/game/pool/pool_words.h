@@ -18,10 +18,12 @@ std::string pocket_name(const Scene& scene, int pocket);
 std::string_view foul_text(PoolFoul foul);  ///< empty for none
 std::string_view choice_text(PoolChoice choice);
 
-/// "the 3 into the top left"; "safety"; empty if nothing is called.
+/// "the 3 into the top left"; "the black"; "safety"; empty if nothing is called. Pre: the scene is
+/// a game of pool, or nothing is called.
 std::string call_text(const Scene& scene, const PoolCall& call);
 
-/// Whose turn it is, and the task: "1:0 player 1, solids, 5 left: ball in hand".
+/// Whose turn it is, and the task: "1:0 player 1, solids, 5 left: ball in hand"; with the points of
+/// the frame in brackets: "1:0 (34:21) player 1, on a red, 67 left: to shoot".
 std::string turn_text(const PoolPlay& play, const PlayerNames& names);
 
 /// The time left for a shot, rounded up: "23 s".

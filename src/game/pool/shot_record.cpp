@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "game/pool/table_places.h"
+#include "game/referees/referee.h"
 #include "geometry/closest.h"
 
 namespace carom {
@@ -97,6 +98,12 @@ void begin_shot(const World& world, PoolPlay& play) {
     play.shooter = play.rules.player;
     play.shot = {};
     ++play.shots;
+    play.lay.clear();
+    if (!play.rules.referee->may_put_back()) return;
+    for (std::size_t n = 0; n < play.balls.size(); ++n)
+        if (play.balls[n])
+            play.lay.push_back(
+                {static_cast<int>(n), world.balls().position[*index_of(world, *play.balls[n])]});
 }
 
 void record_tick(const Scene& scene, const World& world, PoolPlay& play,

@@ -57,7 +57,7 @@ class EightBall final : public Referee {
         return group_of(ball) == group;
     }
 
-    std::string_view why_no_call(const PoolState& state) const override {
+    std::string_view why_no_call(const PoolState& state, PoolCall::Kind) const override {
         return state.phase == PoolPhase::breaking ? "nothing is called on the break" : "";
     }
 
@@ -99,9 +99,9 @@ class EightBall final : public Referee {
         return fmt::format("{}, {} left", *group == PoolGroup::solids ? "solids" : "stripes", left);
     }
 
-    int lead(const PoolState& state) const override {
+    double lead(const PoolState& state) const override {
         const auto group = group_of_player(state, state.player);
-        if (!group) return 0;
+        if (!group) return 0.0;
         return balls_left(state, other_group(*group)) - balls_left(state, *group);
     }
 };

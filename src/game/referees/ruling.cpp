@@ -52,6 +52,19 @@ PoolRuling ruling_after(const PoolState& state, const PoolShot& shot) {
 
 void pass_turn(PoolState& state) {
     state.player = 1 - state.player;
+    state.run = 0;
+}
+
+bool counts_to_limit(PoolState& state, int player) {
+    int& fouls = state.fouls[static_cast<std::size_t>(player)];
+    ++fouls;
+    const int most = state.options.fouls_that_lose;
+    return most > 0 && fouls >= most;
+}
+
+void score_points(PoolState& state, int points) {
+    state.score[static_cast<std::size_t>(state.player)] += points;
+    state.run += points;
 }
 
 void win(PoolState& state, int player) {
@@ -69,6 +82,11 @@ void let_choose(PoolState& state, std::vector<PoolChoice> choices) {
 void spot(PoolRuling& ruling, int ball) {
     ruling.respot.push_back(ball);
     ruling.next.down &= ~ball_bit(ball);
+}
+
+void spot_all(PoolRuling& ruling, std::uint32_t balls) {
+    for (int ball = 31; ball > cue_ball; --ball)
+        if ((balls & ball_bit(ball)) != 0) spot(ruling, ball);
 }
 
 }  // namespace carom

@@ -13,6 +13,9 @@ constexpr std::uint32_t ball_bit(int ball) {
     return std::uint32_t{1} << ball;
 }
 
+/// The balls 1 to 15, as a set of bits.
+inline constexpr std::uint32_t fifteen_balls = 0xfffe;
+
 /// Whether the shot pocketed the ball, or the cue ball.
 bool is_pocketed(const PoolShot& shot, int ball);
 /// The object balls that the shot pocketed, as a set of bits.
@@ -30,10 +33,16 @@ PoolFoul common_foul(const PoolState& state, const PoolShot& shot);
 PoolRuling ruling_after(const PoolState& state, const PoolShot& shot);
 
 void pass_turn(PoolState& state);
+/// Counts a foul of this player, and returns whether it is one too many in a row.
+bool counts_to_limit(PoolState& state, int player);
+/// Adds points to the player's score, and to the run of the turn.
+void score_points(PoolState& state, int points);
 void win(PoolState& state, int player);
 /// Lets the player whose turn it is choose. Pre: `choices` is not empty.
 void let_choose(PoolState& state, std::vector<PoolChoice> choices);
-/// Puts a pocketed ball back on the foot spot.
+/// Puts a pocketed ball back on its spot.
 void spot(PoolRuling& ruling, int ball);
+/// Puts all balls of the set back, by descending numbers.
+void spot_all(PoolRuling& ruling, std::uint32_t balls);
 
 }  // namespace carom

@@ -18,8 +18,8 @@ constexpr std::string_view button_names[] = {"left",       "right",       "plung
 static_assert(std::size(button_names) == button_count);
 /// The words for PoolCall::Kind and PoolChoice.
 constexpr std::string_view call_names[] = {"none", "pot", "safety", "push-out"};
-constexpr std::string_view choice_names[] = {"take-table", "break-again", "let-break", "spot-eight",
-                                             "return-push"};
+constexpr std::string_view choice_names[] = {"take-table", "break-again", "let-break",
+                                             "spot-eight", "return-push", "replace"};
 /// The words for Aids and ShotSetup::Intent.
 constexpr std::string_view aids_names[] = {"none", "ghost", "full", "cloud"};
 constexpr std::string_view intent_names[] = {"automatic", "pocket", "safety", "push-out"};

@@ -57,7 +57,8 @@
 ///     at 67 press left                    and: release left
 ///     at 67 pull 0.25                     the plunger, by a quarter; and: launch 0.25
 ///     at 68 call pot 3 2                  ball 3 into pocket 2; or none, safety, push-out
-///     at 69 decide break-again            or take-table, let-break, spot-eight, return-push
+///     at 69 decide break-again            or take-table, let-break, spot-eight, return-push,
+///                                         replace
 ///     at 70 rack                          the next frame
 ///     at 71 time-out                      the shot clock has run out
 ///     mark 120 0123456789abcdef

@@ -33,6 +33,8 @@ PoolFrame play_pool_frame(const Scene& scene, const SolverSettings& settings,
     GameState game = *begin_pool(scene, static_cast<int>(number % 2));
     if (number > 0) rack_frame(scene, world, std::get<PoolPlay>(game), number);
     const auto& play = std::get<PoolPlay>(game);
+    frame.breaker = play.rules.breaker;
+    std::array<std::uint32_t, 2> shots_of{};
     Solver solver(settings);
     for (std::uint32_t made = 0; made < most_decisions; ++made) {
         if (play.rules.phase == PoolPhase::over) break;
@@ -48,9 +50,13 @@ PoolFrame play_pool_frame(const Scene& scene, const SolverSettings& settings,
             solver.tick(world);
             update_game(scene, world, game, solver.contacts());
         }
-        if (play.shots != shots && play.last_foul != PoolFoul::none) ++frame.fouls[player];
+        if (play.shots == shots) continue;
+        ++shots_of[player];
+        if (play.last_foul != PoolFoul::none) ++frame.fouls[player];
     }
     frame.winner = play.rules.winner;
+    frame.is_break_and_run = frame.winner == std::optional(frame.breaker) &&
+                             shots_of[static_cast<std::size_t>(1 - frame.breaker)] == 0;
     frame.shots = play.shots;
     frame.seconds = world.time();
     return frame;
@@ -66,6 +72,19 @@ std::uint32_t frames_unfinished(const PoolMatch& match) {
         std::ranges::count_if(match.frames, [](const PoolFrame& frame) { return !frame.winner; }));
 }
 
+std::uint32_t frames_of_breakers(const PoolMatch& match) {
+    return static_cast<std::uint32_t>(std::ranges::count_if(
+        match.frames,
+        [](const PoolFrame& frame) { return frame.winner == std::optional(frame.breaker); }));
+}
+
+std::uint32_t breaks_and_runs(const PoolMatch& match, int player) {
+    return static_cast<std::uint32_t>(
+        std::ranges::count_if(match.frames, [player](const PoolFrame& frame) {
+            return frame.is_break_and_run && frame.breaker == player;
+        }));
+}
+
 ShareRange likely_share(std::uint32_t won, std::uint32_t frames) {
     if (frames == 0) return {};
     constexpr double z = 1.96;  // quantile of the normal distribution for 95 %, two-sided
@@ -79,8 +98,8 @@ ShareRange likely_share(std::uint32_t won, std::uint32_t frames) {
 
 std::string pool_match_head() {
     return "| game | skills | frames | won | the more skilled wins | shots a frame: mean, most | "
-           "fouls a frame | not ended |\n"
-           "|---|---|---|---|---|---|---|---|\n";
+           "fouls a frame | the breaker wins | break and run | not ended |\n"
+           "|---|---|---|---|---|---|---|---|---|---|\n";
 }
 
 std::string pool_match_row(std::string_view game, const PoolMatch& match) {
@@ -97,13 +116,15 @@ std::string pool_match_row(std::string_view game, const PoolMatch& match) {
         for (std::size_t i : {0u, 1u})
             fouls[i] += frame.fouls[i];
     }
+    const double ended = std::max(1u, won + lost);
     const double count = std::max(1u, frames);
     return fmt::format(
         "| {} | {} against {} | {} | {}:{} | {:.0f} % ({:.0f} to {:.0f}) | {:.1f}, {} | "
-        "{:.1f} and {:.1f} | {} |\n",
-        game, match.skill[0], match.skill[1], frames, won, lost,
-        100.0 * won / std::max(1u, won + lost), 100.0 * range.low, 100.0 * range.high,
-        shots / count, most, fouls[0] / count, fouls[1] / count, frames_unfinished(match));
+        "{:.1f} and {:.1f} | {:.0f} % | {} and {} | {} |\n",
+        game, match.skill[0], match.skill[1], frames, won, lost, 100.0 * won / ended,
+        100.0 * range.low, 100.0 * range.high, shots / count, most, fouls[0] / count,
+        fouls[1] / count, 100.0 * frames_of_breakers(match) / ended, breaks_and_runs(match, 0),
+        breaks_and_runs(match, 1), frames_unfinished(match));
 }
 
 }  // namespace carom

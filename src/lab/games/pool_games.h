@@ -19,13 +19,15 @@ struct PoolFrame {
     std::optional<int> winner;  ///< player 0 or 1; none: the frame was not finished
     std::uint32_t shots = 0;
     std::array<std::uint32_t, 2> fouls{};  ///< of each player
-    double seconds = 0.0;                  ///< simulated, while balls were moving
+    int breaker = 0;
+    bool is_break_and_run = false;  ///< the breaker won before the opponent had a shot
+    double seconds = 0.0;           ///< simulated, while balls were moving
     /// A command that the rules or the world refused, which is a fault: a sentence.
     std::optional<std::string> refused;
 };
 
 /// A frame is abandoned after this many shots and choices, far more than a normal frame takes.
-inline constexpr std::uint32_t most_decisions = 300;
+inline constexpr std::uint32_t most_decisions = 2000;
 
 /// Plays frame number `number` between two AI players of these skills (game/ai/planner.h), who
 /// break in turn. The result depends on the arguments alone: each number has its own random draws.
@@ -41,6 +43,10 @@ struct PoolMatch {
 
 std::uint32_t frames_won(const PoolMatch& match, int player);
 std::uint32_t frames_unfinished(const PoolMatch& match);
+/// Frames that the player who broke won.
+std::uint32_t frames_of_breakers(const PoolMatch& match);
+/// Frames that this player broke, and won before the opponent had a shot.
+std::uint32_t breaks_and_runs(const PoolMatch& match, int player);
 
 /// The 95 % confidence interval of a share, by Wilson's formula. 0..1 without frames.
 struct ShareRange {

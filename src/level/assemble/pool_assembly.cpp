@@ -63,6 +63,28 @@ void check_game(Context& context) {
         needs("pockets", "pocket corner at=1299.5,664.5 r=62");
 }
 
+std::optional<BallId> ball_named(const Scene& scene, std::string_view name) {
+    const auto named = std::ranges::find(scene.ball_names, name);
+    if (named == scene.ball_names.end()) return std::nullopt;
+    return scene.world.balls().id[static_cast<std::size_t>(named - scene.ball_names.begin())];
+}
+
+// The balls that the game needs beside its rack.
+void find_others(Scene& scene, Context& context) {
+    const LevelSettings& settings = context.ir.settings;
+    const GameRow* game = settings.game ? game_named(*settings.game) : nullptr;
+    if (!game || context.reporter.has_errors()) return;
+    for (const std::string_view name : game->others) {
+        if (const auto ball = ball_named(scene, name)) {
+            scene.pool.others.push_back(*ball);
+            continue;
+        }
+        context.reporter.error("game-lacks-part", *settings.game_at,
+                               fmt::format("game {} needs a ball named {}", game->name, name),
+                               fmt::format("add a line such as: ball {} at=0,0", name));
+    }
+}
+
 }  // namespace
 
 void check_pool(const std::vector<StartingBall>& balls, const LoadOptions& options,
@@ -92,12 +114,10 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
     scene.pool.race = ir.settings.race;
     scene.pool.clock = ir.settings.clock;
     scene.pool.rules = ir.settings.rules;
+    find_others(scene, context);
     for (const CueIr& cue : ir.cues) {
-        const auto named = std::ranges::find(scene.ball_names, cue.ball.text);
-        if (named != scene.ball_names.end()) {
-            scene.pool.cue = {
-                scene.world.balls().id[static_cast<std::size_t>(named - scene.ball_names.begin())],
-                cue.least_power, cue.most_power};
+        if (const auto ball = ball_named(scene, cue.ball.text)) {
+            scene.pool.cue = {*ball, cue.least_power, cue.most_power};
             continue;
         }
         std::vector<std::string_view> known;

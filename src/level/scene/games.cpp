@@ -6,7 +6,7 @@
 
 namespace carom {
 std::span<const RackLayout> rack_layouts() {
-    static const std::array<RackLayout, 3> all{{
+    static const std::array<RackLayout, 4> all{{
         {.statement = "rack eight",
          .rows = {1, 2, 3, 4, 5},
          .is_shuffled = true,
@@ -16,6 +16,11 @@ std::span<const RackLayout> rack_layouts() {
          .rows = {1, 2, 3, 2, 1},
          .is_shuffled = true,
          .placed = {{.ball = 1, .place = 0}, {.ball = 9, .place = 4}},
+         .group_border = 0},
+        {.statement = "rack ten",
+         .rows = {1, 2, 3, 4},
+         .is_shuffled = true,
+         .placed = {{.ball = 1, .place = 0}, {.ball = 10, .place = 4}},
          .group_border = 0},
         {.statement = "rack triangle",
          .rows = {1, 2, 3, 4, 5},
@@ -37,12 +42,28 @@ const RackLayout* rack_layout(std::string_view statement) {
 
 std::span<const GameRow> game_rows() {
     using enum GameRow::Family;
-    static const std::array<GameRow, 5> all{{
-        {"sandbox", none, nullptr},
-        {"galton", none, nullptr},
-        {"eightball", pool, rack_layout("rack eight")},
-        {"nineball", pool, rack_layout("rack nine")},
-        {"pinball", pinball, nullptr},
+    static const std::array<GameRow, 9> all{{
+        {.name = "sandbox"},
+        {.name = "galton"},
+        {.name = "eightball", .family = pool, .rack = rack_layout("rack eight")},
+        {.name = "nineball",
+         .family = pool,
+         .rack = rack_layout("rack nine"),
+         .keys = {"fouls", "nine"}},
+        {.name = "tenball", .family = pool, .rack = rack_layout("rack ten"), .keys = {"fouls"}},
+        {.name = "straightpool",
+         .family = pool,
+         .rack = rack_layout("rack triangle"),
+         .keys = {"fouls", "points"}},
+        {.name = "onepocket",
+         .family = pool,
+         .rack = rack_layout("rack triangle"),
+         .keys = {"fouls"}},
+        {.name = "snooker",
+         .family = pool,
+         .rack = rack_layout("rack triangle"),
+         .others = {"yellow", "green", "brown", "blue", "pink", "black"}},
+        {.name = "pinball", .family = pinball},
     }};
     return all;
 }

@@ -37,6 +37,12 @@ struct GameRow {
     std::string_view name;  ///< its name in levels: "eightball"
     Family family = Family::none;
     const RackLayout* rack = nullptr;  ///< the rack of a game of pool; null in other games
+    /// The names of the other object balls, which the level places one by one. They are numbered
+    /// after those of the rack.
+    std::vector<std::string_view> others{};
+    /// Keys of `game NAME` that only some games of pool have; race=, clock= and the like go with
+    /// every one.
+    std::vector<std::string_view> keys{};
 };
 
 /// All games, in the order of the manual.

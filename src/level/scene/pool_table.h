@@ -31,7 +31,8 @@ struct Rack {
 /// What a level may choose of the rules of its game of pool.
 struct PoolRules {
     bool nine_on_break_wins = true;  ///< 9-ball; else the 9 is spotted
-    int fouls_that_lose = 3;         ///< 9-ball: in a row; 0: never
+    int fouls_that_lose = 3;         ///< in a row, in games that count them; 0: never
+    int points = 100;                ///< straight pool: that win a frame
     int stalemate = 0;           ///< shots in a row that pocket nothing, after which the balls are
                                  ///< racked again; 0: never
     bool winner_breaks = false;  ///< the next frame; else the players take turns
@@ -41,6 +42,8 @@ struct PoolRules {
 struct PoolTable {
     std::optional<Cue> cue;
     std::vector<Rack> racks;
+    /// The object balls of the game that are not racked: GameRow::others, in that order.
+    std::vector<BallId> others{};
     std::vector<std::uint32_t> pockets;  ///< indices into World::zones
     std::uint32_t race = 0;              ///< frames that win the match; 0: the match has no end
     double clock = 0.0;                  ///< the shot clock, s; 0: none

@@ -23,7 +23,15 @@ void set_pinball(const Arguments& arguments, PinballTable& table) {
 
 constexpr std::array<std::string_view, 5> pool_keys{"race", "clock", "stalemate", "breaks",
                                                     "first"};
-constexpr std::array<std::string_view, 2> nine_ball_keys{"fouls", "nine"};
+
+// The games of pool that have this key, if only some have it: "nineball or tenball".
+std::string owners_of(std::string_view key) {
+    std::string owners;
+    for (const GameRow& row : game_rows())
+        if (std::ranges::count(row.keys, key) > 0)
+            owners += (owners.empty() ? "game " : " or ") + std::string(row.name);
+    return owners;
+}
 
 // Whether the word of the key is `special`, and not `usual`, its value where the key is absent.
 bool is_special(const Arguments& arguments, std::string_view key, std::string_view special,
@@ -43,6 +51,7 @@ void set_pool_rules(const Arguments& arguments, Context& context) {
     rules.winner_breaks = is_special(arguments, "breaks", "winner", "turns", context);
     rules.is_tossed = is_special(arguments, "first", "toss", "player1", context);
     if (arguments.has("fouls")) rules.fouls_that_lose = static_cast<int>(arguments.count("fouls"));
+    if (arguments.has("points")) rules.points = static_cast<int>(arguments.count("points"));
     if (arguments.has("stalemate"))
         rules.stalemate = static_cast<int>(arguments.count("stalemate"));
 }
@@ -62,12 +71,12 @@ void set_game(const Arguments& arguments, const Frame&, Context& context) {
     }
     for (const auto& [key, value] : arguments.values) {
         const bool is_of_pool = std::ranges::count(pool_keys, key) > 0;
-        const bool is_of_nine_ball = std::ranges::count(nine_ball_keys, key) > 0;
-        if (is_of_nine_ball && word.text == "nineball") continue;
-        if (!is_of_nine_ball && is_of_pool == (family == pool)) continue;
+        const std::string owners = owners_of(key);
+        if (game && std::ranges::count(game->keys, key) > 0) continue;
+        if (owners.empty() && is_of_pool == (family == pool)) continue;
         context.reporter.error("game-key-of-other-game", arguments.span_of(key),
                                fmt::format("game {} has no {}=", word.text, key),
-                               is_of_nine_ball  ? "fouls= and nine= belong to game nineball"
+                               !owners.empty()  ? fmt::format("{}= belongs to {}", key, owners)
                                : family == pool ? "a game of pool has race=, clock=, stalemate=, "
                                                   "breaks= and first="
                                                 : "race=, clock=, stalemate=, breaks= and first= "
@@ -98,7 +107,8 @@ std::vector<Statement> game_statements() {
     static const std::string game_usage =
         "game " + game_names("|") +
         " [race=N] [clock=TIME] [stalemate=N] [breaks=turns|winner] [first=player1|toss] "
-        "[fouls=N] [nine=wins|spotted] [balls=N] [save=TIME] [tilt=N] [bonus=N] [highscores=N]";
+        "[fouls=N] [nine=wins|spotted] [points=N] [balls=N] [save=TIME] [tilt=N] [bonus=N] "
+        "[highscores=N]";
     return {
         {.name = "game",
          .usage = game_usage,
@@ -113,6 +123,7 @@ std::vector<Statement> game_statements() {
                   {"first", KeyShape::word},
                   {"fouls", scalar, Measure::whole, not_negative},
                   {"nine", KeyShape::word},
+                  {"points", scalar, Measure::whole, up_to_thousand},
                   {"balls", scalar, Measure::whole, up_to_thousand},
                   {"save", scalar, Measure::time, not_negative},
                   {"tilt", scalar, Measure::whole, not_negative},

@@ -59,7 +59,7 @@ void play_turn(Match& match) {
     }
     if (rules.phase == PoolPhase::breaking) return match.break_hard();
     const Session& session = match.session;
-    const bool calls = may_call_shots(rules);
+    const bool calls = may_call(rules, PoolCall::Kind::pot);
     const Box cloth = *cloth_box(session.scene());
     const std::vector<BallId> balls = legal_balls(match.play());
     REQUIRE_FALSE(balls.empty());

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -41,22 +42,29 @@ inline std::uint32_t balls(std::initializer_list<int> which) {
     return set;
 }
 
-/// A rack of 8-ball in play, player 0 to shoot.
-inline PoolState eight_ball(std::optional<PoolGroup> group, std::uint32_t down = 0) {
-    PoolState state = begin_rack(*referee_of("eightball"), 0);
+/// A rack of a game in play, player 0 to shoot.
+inline PoolState in_play(std::string_view game, std::uint32_t down = 0) {
+    PoolState state = begin_rack(*referee_of(game), 0);
     state.phase = PoolPhase::playing;
     state.in_hand = CueInHand::no;
-    state.group = group;
     state.down = down;
+    return state;
+}
+
+inline bool pocketed_by(const PoolShot& shot, int ball) {
+    return std::ranges::count(shot.pocketed, ball, &PoolShot::Pocketed::ball) > 0;
+}
+
+/// A rack of 8-ball in play, player 0 to shoot.
+inline PoolState eight_ball(std::optional<PoolGroup> group, std::uint32_t down = 0) {
+    PoolState state = in_play("eightball", down);
+    state.group = group;
     return state;
 }
 
 /// A rack of 9-ball in play, player 0 to shoot.
 inline PoolState nine_ball(std::uint32_t down = 0, bool may_push_out = false) {
-    PoolState state = begin_rack(*referee_of("nineball"), 0);
-    state.phase = PoolPhase::playing;
-    state.in_hand = CueInHand::no;
-    state.down = down;
+    PoolState state = in_play("nineball", down);
     state.may_push_out = may_push_out;
     return state;
 }

@@ -14,7 +14,8 @@ using namespace carom;
 
 namespace {
 
-constexpr std::array<std::string_view, 2> games = {"eight-ball", "nine-ball"};
+constexpr std::array<std::string_view, 6> games = {"eight-ball",    "nine-ball",  "ten-ball",
+                                                   "straight-pool", "one-pocket", "snooker"};
 
 PoolMatch play_match(std::string_view game, std::array<int, 2> skill, std::uint32_t frames) {
     const Scene scene = test::shipped_level(std::string(game));
@@ -45,21 +46,22 @@ TEST_CASE("the confidence interval of a share of frames") {
 
 TEST_CASE("a match is reported in one row") {
     PoolMatch match{{4, 3}, {}};
-    match.frames = {{0, 12, {1, 0}, 60.0, std::nullopt},
-                    {1, 20, {0, 2}, 80.0, std::nullopt},
-                    {0, 10, {0, 0}, 50.0, std::nullopt},
-                    {std::nullopt, 300, {0, 0}, 900.0, std::nullopt}};
+    match.frames = {{0, 12, {1, 0}, 0, true, 60.0, std::nullopt},
+                    {1, 20, {0, 2}, 1, false, 80.0, std::nullopt},
+                    {0, 10, {0, 0}, 1, false, 50.0, std::nullopt},
+                    {std::nullopt, 300, {0, 0}, 0, false, 900.0, std::nullopt}};
     CHECK(frames_won(match, 0) == 2);
     CHECK(frames_won(match, 1) == 1);
     CHECK(frames_unfinished(match) == 1);
     CHECK(pool_match_row("nine-ball", match) ==
-          "| nine-ball | 4 against 3 | 4 | 2:1 | 67 % (21 to 94) | 85.5, 300 | 0.2 and 0.5 | 1 "
-          "|\n");
+          "| nine-ball | 4 against 3 | 4 | 2:1 | 67 % (21 to 94) | 85.5, 300 | 0.2 and 0.5 | "
+          "67 % | 1 and 0 | 1 |\n");
     CHECK(pool_match_row("nine-ball", {{2, 1}, {}}).starts_with("| nine-ball | 2 against 1 | 0 |"));
 }
 
-// With CAROM_POOL_FIGURES=FILE it writes the results of neighbouring skills there, and CAROM_FRAMES
-// sets the number of frames of each pair: scripts/update pool.
+// With CAROM_POOL_FIGURES=FILE it writes the results of neighbouring skills there, CAROM_FRAMES
+// sets the number of frames of each pair, and CAROM_POOL_GAME=LEVEL plays that game alone:
+// scripts/update pool.
 TEST_SUITE("long") {
     TEST_CASE("frames end, and the more skilled of two opponents wins more") {
         for (const std::string_view game : games)
@@ -82,12 +84,14 @@ TEST_SUITE("long") {
     TEST_CASE("neighbouring opponents") {
         const char* const wanted = std::getenv("CAROM_FRAMES");
         const char* const file = std::getenv("CAROM_POOL_FIGURES");
+        const char* const only = std::getenv("CAROM_POOL_GAME");
         const auto frames =
             static_cast<std::uint32_t>(wanted ? std::strtoul(wanted, nullptr, 10) : 2);
         std::string table = pool_match_head();
         for (const std::string_view game : games)
             for (const std::array<int, 2> skill :
                  {std::array{2, 1}, std::array{3, 2}, std::array{4, 3}}) {
+                if (only && game != only) continue;
                 const PoolMatch match = play_match(game, skill, frames);
                 table += pool_match_row(game, match);
                 constexpr std::uint32_t enough = 100;
