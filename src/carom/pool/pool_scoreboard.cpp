@@ -1,8 +1,11 @@
 #include "carom/pool/pool_scoreboard.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "game/referees/eight_ball.h"
+#include "game/referees/referee.h"
 
 namespace carom {
 namespace {
@@ -16,6 +19,8 @@ PoolPanel::Player player_of(const PoolPlay& play, int player, const PlayerNames&
     shown.name = names[index];
     shown.frames = play.frames[index];
     shown.is_turn = play.rules.player == player && play.rules.phase != PoolPhase::over;
+    if (!play.rules.referee->score_text(play.rules).empty())
+        shown.group = fmt::format("{} points", play.rules.score[index]);
     const auto group = group_of_player(play.rules, player);
     if (!group) return shown;
     shown.group = *group == PoolGroup::solids ? "solids" : "stripes";
@@ -32,7 +37,7 @@ PoolPanel scoreboard_of(const Session& session, const PlayerNames& names) {
     if (const auto* play = std::get_if<PoolPlay>(&session.game())) {
         panel.players = {player_of(*play, 0, names), player_of(*play, 1, names)};
         panel.race = play->race;
-        for (int ball = 1; ball <= last_ball; ++ball)
+        for (int ball = 1; ball <= last_ball && play->rules.referee->has_numbers(); ++ball)
             if (is_down(play->rules, ball)) panel.tray.push_back(ball);
         return panel;
     }

@@ -6,7 +6,6 @@
 
 #include "game/pool/table_places.h"
 #include "game/referees/referee.h"
-#include "game/referees/snooker.h"
 #include "geometry/impact.h"
 
 namespace carom {
@@ -68,8 +67,7 @@ class Looker {
 // Places of the cue ball in the D, where it overlaps nothing.
 std::vector<Vec2> places_in_d(const Scene& scene, const World& world, double radius, BallId cue) {
     constexpr int steps = 6;
-    const Vec2 middle = home_of(scene, snooker::brown);
-    const double reach = length(home_of(scene, snooker::yellow) - middle);
+    const auto [middle, reach] = *scene.pool.d;
     const Vec2 toward = rack_of(scene).toward;
     std::vector<Vec2> places;
     for (int back = 0; back <= steps; ++back)

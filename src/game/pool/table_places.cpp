@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "game/referees/snooker.h"
 #include "geometry/impact.h"
 #include "level/scene/games.h"
 
@@ -72,8 +71,7 @@ bool is_in_hand_area(const Scene& scene, CueInHand in_hand, Vec2 place) {
     if (in_hand == CueInHand::behind_head_string)
         return !(dot(place - head_spot(scene), toward) > 0.0);
     constexpr double rounding = 1e-9;  // of the radius
-    const Vec2 middle = home_of(scene, snooker::brown);
-    const double radius = length(home_of(scene, snooker::yellow) - middle);
+    const auto [middle, radius] = *scene.pool.d;
     const Vec2 from = place - middle;
     return dot(from, toward) <= rounding * radius && length(from) <= radius * (1.0 + rounding);
 }

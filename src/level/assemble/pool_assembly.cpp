@@ -83,6 +83,12 @@ void find_others(Scene& scene, Context& context) {
                                fmt::format("game {} needs a ball named {}", game->name, name),
                                fmt::format("add a line such as: ball {} at=0,0", name));
     }
+    if (scene.pool.others.size() != game->others.size() || game->others.empty()) return;
+    const auto place_of = [&](std::string_view name) {
+        return scene.world.balls().position[*index_of(scene.world, *ball_named(scene, name))];
+    };
+    const Vec2 middle = place_of("brown");
+    scene.pool.d = BaulkD{middle, length(place_of("yellow") - middle)};
 }
 
 }  // namespace

@@ -39,11 +39,19 @@ struct PoolRules {
     bool is_tossed = false;      ///< a coin decides who breaks first, by the level's seed
 };
 
+/// The D of snooker: a semicircle on the baulk line. Yellow, brown and green have their spots at
+/// its right corner, its middle and its left corner.
+struct BaulkD {
+    Vec2 middle;
+    double radius = 0.0;
+};
+
 struct PoolTable {
     std::optional<Cue> cue;
     std::vector<Rack> racks;
     /// The object balls of the game that are not racked: GameRow::others, in that order.
     std::vector<BallId> others{};
+    std::optional<BaulkD> d{};
     std::vector<std::uint32_t> pockets;  ///< indices into World::zones
     std::uint32_t race = 0;              ///< frames that win the match; 0: the match has no end
     double clock = 0.0;                  ///< the shot clock, s; 0: none

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/elementary.h"
 #include "terminal/draw/board.h"
 #include "terminal/draw/draw_parts.h"
 #include "terminal/draw/ground.h"
@@ -81,6 +82,28 @@ void paint_markings(Raster& raster, const View& view, const TableAxes& axes) {
         raster.disc(to_raster(view.camera, spot), 0.0, 0.0, {chalk, 255, '\0'});
 }
 
+// The baulk line, its D, and the spots of the colours of snooker.
+void paint_baulk(Raster& raster, const View& view, const TableAxes& axes, const BaulkD& d) {
+    constexpr int steps = 24;
+    const Ink chalk = dress_ink(chalk_color, view.options.look);
+    const auto line = [&](Vec2 from, Vec2 to) {
+        raster.line(to_raster(view.camera, from), to_raster(view.camera, to), chalk, 60);
+    };
+    line(d.middle - axes.across * axes.width, d.middle + axes.across * axes.width);
+    Vec2 from = d.middle + axes.across * d.radius;
+    for (int i = 1; i <= steps; ++i) {
+        const SinCos turn = sin_cos_degrees(180.0 * i / steps);
+        const Vec2 to = d.middle + (axes.across * turn.cos - axes.along * turn.sin) * d.radius;
+        line(from, to);
+        from = to;
+    }
+    const World& start = view.scene.world;
+    for (const BallId ball : view.scene.pool.others) {
+        const Vec2 spot = start.balls().position[*index_of(start, ball)];
+        raster.disc(to_raster(view.camera, spot), 0.0, 0.0, {chalk, 255, '\0'});
+    }
+}
+
 void paint_diamonds(Raster& raster, const View& view, const Board& board, const TableAxes& axes) {
     const Ink ivory = dress_ink(diamond_color, view.options.look);
     const double rail = 0.5 * (size(board.frame()).x - 2.0 * std::abs(axes.along.x * axes.length +
@@ -113,8 +136,12 @@ void paint_pool_table(Raster& raster, const View& view, const Board& board) {
     if (!is_pool_table(view.scene) || !paints_tables(raster, view)) return;
     if (board.is_empty()) return paint_pockets(raster, view);
     const std::optional<TableAxes> axes = axes_of(view, board);
-    if (axes && !view.scene.pool.racks.empty()) paint_markings(raster, view, *axes);
-    if (axes) paint_diamonds(raster, view, board, *axes);
+    const std::optional<BaulkD>& d = view.scene.pool.d;
+    if (axes && d)
+        paint_baulk(raster, view, *axes, *d);
+    else if (axes && !view.scene.pool.racks.empty())
+        paint_markings(raster, view, *axes);
+    if (axes && !d) paint_diamonds(raster, view, board, *axes);
     paint_pockets(raster, view);
 }
 
