@@ -66,7 +66,7 @@ LoadedScene load_scene(const std::string& path, const std::vector<std::string>& 
 ListedScene list_of(const World& world, const RunPlan& plan) {
     Model listed = world.model();
     listed.gravity.reset();
-    listed.lossy = false;
+    listed.inelastic = false;
     listed.spin.reset();
     if (listed != Model{}) return {.error = "the list of a scene has no word for its terms"};
     const auto is_sink = [](const Zone& zone) { return zone.effect == Zone::Effect::sink; };
