@@ -28,6 +28,8 @@ namespace carom {
 ///   fast ball hits does not leave its skin.
 /// - The levels of pool say `use modulus`, by which contacts last under `event`. The end of the
 ///   shot clock is a command.
+/// - `event`: pressed balls that an edge bars from separating do so along the edge
+///   (event/impact/position_correction.h).
 /// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
 inline constexpr int physics_version = 3;
 

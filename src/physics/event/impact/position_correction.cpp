@@ -23,15 +23,22 @@ void PositionCorrection<Real>::apply() {
         if (!(point.gap < -allowed * small)) continue;
         const Real depth = std::min(-point.gap, Real(most_correction) * small);
         const Vector<Real>& normal = point.contact.normal;
-        const Real ours = share_of(point.contact.a, normal * depth);
-        const Real theirs = share_of(point.contact.b, -normal * depth);
-        if (!(ours + theirs > Real{})) continue;
-        const Vector<Real> displacement = normal * (depth / (ours + theirs));
-        ClusterBody<Real>& a = cluster_.bodies()[point.contact.a];
-        ClusterBody<Real>& b = cluster_.bodies()[point.contact.b];
-        a.position += displacement * ours;
-        b.position -= displacement * theirs;
-        a.is_moved = b.is_moved = true;
+        const Way ours = way_of(point.contact.a, normal * depth);
+        const Way theirs = way_of(point.contact.b, -normal * depth);
+        const auto gain_of = [&](const Way& way, const Real& side) {
+            return way.inverse_mass * (side * dot(way.displacement, normal) / depth);
+        };
+        const Real gain = gain_of(ours, Real(1.0)) + gain_of(theirs, Real(-1.0));
+        if (!(gain > Real{})) continue;
+        const auto move = [&](std::uint32_t index, const Way& way) {
+            if (!(way.inverse_mass > Real{})) return;
+            ClusterBody<Real>& body = cluster_.bodies()[index];
+            // No further than was tried.
+            body.position += way.displacement * std::min(Real(1.0), way.inverse_mass / gain);
+            body.is_moved = true;
+        };
+        move(point.contact.a, ours);
+        move(point.contact.b, theirs);
         cluster_.note_correction();
     }
 }
@@ -42,10 +49,10 @@ template <typename Real>
 void PositionCorrection<Real>::move_out_of(const ContactPoint<Real>& point) {
     if (!(point.gap < Real{})) return;
     const Real depth = std::min(-point.gap, Real(most_correction) * cluster_.smaller_radius(point));
-    const Vector<Real> displacement = point.contact.normal * depth;
-    if (!(share_of(point.contact.a, displacement) > Real{})) return;
+    const Way way = way_of(point.contact.a, point.contact.normal * depth);
+    if (!(way.inverse_mass > Real{})) return;
     ClusterBody<Real>& body = cluster_.bodies()[point.contact.a];
-    body.position += displacement;
+    body.position += way.displacement;
     body.is_moved = true;
     cluster_.note_correction();
 }
@@ -72,29 +79,40 @@ bool PositionCorrection<Real>::enters_ball(const ClusterBody<Real>& body,
     return enters;
 }
 
-// The body's inverse mass if it may be displaced so far, which may not take it into an edge or
-// another ball; else 0.
+// Turns a displacement along the first edge that it would enter, deeper than the ball is in there.
+// Returns whether it enters one.
 template <typename Real>
-Real PositionCorrection<Real>::share_of(std::uint32_t index,
-                                        const Vector<Real>& displacement) const {
-    const ClusterBody<Real>& body = cluster_.bodies()[index];
-    const LinearPart<Real>& line = balls_[body.ball].line;
-    const bool may_give_way = line.motion == Motion::free || is_on_cloth(line);
-    if (!body.is_changed || !may_give_way) return Real{};
+bool PositionCorrection<Real>::turns_aside(const ClusterBody<Real>& body,
+                                           Vector<Real>& displacement) const {
     const Vector<Real> there = body.position + displacement;
     const Real size = balls_.radius(body.ball);
-    bool is_barred = false;
-    const auto bar = [&](std::uint32_t capsule, Vec2 shift, int, int) {
+    bool enters = false;
+    const auto meet = [&](std::uint32_t capsule, Vec2 shift, int, int) {
+        if (enters) return;
         const Edge<Real> edge(scene_.world->capsules().shape[capsule], shift);
         const Real gap = contact_with(edge, there, size).gap;
-        is_barred =
-            is_barred || (gap < Real{} && gap < contact_with(edge, body.position, size).gap);
+        if (!(gap < Real{})) return;
+        const auto here = contact_with(edge, body.position, size);
+        const Real rounding = Real(gap_roundings) * rounding_at(body.position, size + edge.radius);
+        if (!(gap < here.gap - rounding)) return;
+        enters = true;
+        displacement -= here.normal * std::min(Real{}, dot(displacement, here.normal));
     };
-    space_.for_each_edge_around(body.ball, space_.cells().spot_of(Vec2(there)), bar);
-    const Real harmless = Real(most_correction_into_ball) * size;
-    if (!is_barred && length_squared(displacement) > harmless * harmless)
-        is_barred = enters_ball(body, displacement);
-    return is_barred ? Real{} : cluster_.motion()[index].inverse_mass;
+    space_.for_each_edge_around(body.ball, space_.cells().spot_of(Vec2(there)), meet);
+    return enters;
+}
+
+template <typename Real>
+auto PositionCorrection<Real>::way_of(std::uint32_t index, const Vector<Real>& displacement) const
+    -> Way {
+    const ClusterBody<Real>& body = cluster_.bodies()[index];
+    const Motion motion = balls_[body.ball].line.motion;
+    if (!body.is_changed || motion == Motion::held || motion == Motion::resting) return {};
+    Vector<Real> left = displacement;
+    if (turns_aside(body, left) && turns_aside(body, left)) return {};
+    const Real harmless = Real(most_correction_into_ball) * balls_.radius(body.ball);
+    if (length_squared(left) > harmless * harmless && enters_ball(body, left)) return {};
+    return {left, cluster_.motion()[index].inverse_mass};
 }
 
 template class PositionCorrection<double>;

@@ -11,9 +11,13 @@ namespace carom {
 /// touch, in proportion to their inverse masses, by at most half the smaller radius. Lifting balls
 /// against gravity gains at most the energy of that displacement.
 ///
-/// Not moved: a ball that would enter an edge or a third ball; held, resting, sliding and turning
-/// balls. Pairs of these sink in further. Nothing happens in scenes where neither gravity with
-/// losses nor cloth presses balls together.
+/// A ball that an edge bars goes along the edge instead, as far as the normal leads that way. So
+/// a ball that leans on a wall still separates from one on the floor, impact by impact, instead of
+/// sinking in: the one goes up the wall, the other along the floor.
+///
+/// Not moved: a ball that two edges bar, or that would enter a third ball; held and resting balls.
+/// Pairs of these sink in further. Nothing happens in scenes where neither gravity with losses nor
+/// cloth presses balls together.
 template <typename Real>
 class PositionCorrection {
   public:
@@ -27,7 +31,13 @@ class PositionCorrection {
   private:
     void move_out_of(const ContactPoint<Real>& point);
     bool enters_ball(const ClusterBody<Real>& body, const Vector<Real>& displacement) const;
-    Real share_of(std::uint32_t body, const Vector<Real>& displacement) const;
+    /// What edges and other balls leave of a displacement, and at which inverse mass.
+    struct Way {
+        Vector<Real> displacement;
+        Real inverse_mass{};
+    };
+    Way way_of(std::uint32_t body, const Vector<Real>& displacement) const;
+    bool turns_aside(const ClusterBody<Real>& body, Vector<Real>& displacement) const;
 
     const EventScene<Real>& scene_;
     const BallTable<Real>& balls_;

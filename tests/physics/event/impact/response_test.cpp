@@ -1,5 +1,6 @@
 #include "physics/event/impact/response.h"
 
+#include <cmath>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -49,6 +50,32 @@ TEST_CASE("response: balls that overlap under pressure are separated, but never 
         CHECK(right - left == doctest::Approx(1.0).epsilon(1e-12));
         CHECK((right > 1.0 - 0.9 * depth) == !is_barred);
     }
+}
+
+// Regression: balls that edges barred were not separated at all. A ball that leaned on a wall and
+// on another one on the floor sank into it impact by impact (check-scenes 1483, 1750, 2665).
+TEST_CASE("response: balls that a wall and a floor bar separate along these") {
+    World world = scenes::empty();
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().model.inelastic = true;
+    const double depth = 100.0 * moving_rest_height;
+    const Vec2 normal{-0.8, 0.6};  // from the ball on the floor to the one at the wall
+    add_capsule(world, {{-5.0, -0.5}, {5.0, -0.5}, 0.0}, 0);
+    const Vec2 high = normal * (1.0 - depth);
+    add_capsule(world, {{high.x - 0.5, -0.5}, {high.x - 0.5, 5.0}, 0.0}, 0);
+    add_ball(world, {.position = {0.0, 0.0}, .velocity = normal, .radius = 0.5});
+    add_ball(world, {.position = high, .velocity = -normal, .radius = 0.5});
+    EventParts parts(world);
+    std::vector<Contact> contacts;
+    std::vector<std::uint8_t> touched(2);
+    parts.response.resolve(0, {parts.scene.now, EventKind::ball_ball, 0, 0, 1, 0},
+                           {contacts, touched});
+    parts.cluster.end();
+    const Vec2 low(parts.balls[0].line.position);
+    const Vec2 there(parts.balls[1].line.position);
+    CHECK(std::fabs(low.y) < 1e-15);
+    CHECK(there.x == doctest::Approx(high.x).epsilon(1e-15));
+    CHECK(1.0 - distance(low, there) < 0.01 * depth);
 }
 
 TEST_CASE("response: a resting ball that is hit releases the balls that rest on it") {
