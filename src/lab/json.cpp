@@ -124,6 +124,10 @@ void JsonWriter::value(std::uint64_t number) {
     before_member();
     text_ += fmt::format("{}", number);
 }
+void JsonWriter::value(std::int64_t number) {
+    before_member();
+    text_ += fmt::format("{}", number);
+}
 void JsonWriter::value(bool truth) {
     before_member();
     text_ += truth ? "true" : "false";

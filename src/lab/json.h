@@ -31,6 +31,7 @@ class JsonWriter {
     void key(std::string_view name);
     void value(double number);
     void value(std::uint64_t number);
+    void value(std::int64_t number);
     void value(bool truth);
     void value(std::string_view text);
     void value(const char* text) { value(std::string_view(text)); }

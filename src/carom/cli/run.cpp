@@ -136,6 +136,10 @@ void Run::simulate() {
 
 void Run::finish(const std::string& level) {
     record_.tallies = tallies(game_);
+    if (const RuleState* rules = rule_state(game_)) {
+        record_.actions_left_out = rules->left_out;
+        record_.first_left_out = rules->first_left_out;
+    }
     if (world_.tick() == input_.ticks) note_end(record_, input_.scene, world_);
     if (runner_.remaining() > 0 && world_.tick() == input_.ticks && !input_.recording)
         print_note(fmt::format("note: {} of the commands lie after the last tick, {}\n",

@@ -71,7 +71,10 @@ void PoolController::after_ticks(PlayContext& play, double) {
 
 bool PoolController::are_rolling(const PlayContext& play) const {
     const PoolPlay* const pool = pool_of(play.session);
-    return pool ? pool->is_shooting : !is_at_rest(play.session.world());
+    const ShotsState* const shots = shots_of(play.session);
+    return pool    ? pool->is_shooting
+           : shots ? shots->is_shooting
+                   : !is_at_rest(play.session.world());
 }
 
 // Whether the cue is in the player's hands, so that no key brings out the editor's cursor, even
@@ -81,8 +84,9 @@ bool PoolController::keeps_cue(const PlayContext& play) const {
 }
 
 bool PoolController::edit_nothing(PlayContext& play) const {
-    if (!pool_of(play.session)) return false;
-    say(play, "only the cue moves balls here; pool-table has no rules");
+    if (!has_turns(play.session)) return false;
+    say(play, pool_of(play.session) ? "only the cue moves balls here; pool-table has no rules"
+                                    : "only the cue moves balls in this game");
     return true;
 }
 
@@ -117,7 +121,7 @@ bool PoolController::move_tip(const PlayContext& play, int side, int follow) {
 }
 
 bool PoolController::explain_cue(PlayContext& play) const {
-    if (!aims_with_keys(play) && !pool_of(play.session)) return false;
+    if (!aims_with_keys(play) && !has_turns(play.session)) return false;
     say(play, "the arrows aim, enter shoots; or drag with the right button");
     return true;
 }
@@ -128,7 +132,7 @@ void PoolController::next_pot(PlayContext& play, bool backwards) {
 
 // The editor's keys for the next ball.
 bool PoolController::next_pot_under_rules(PlayContext& play, bool backwards) {
-    if (!pool_of(play.session)) return false;
+    if (!has_turns(play.session)) return false;
     next_pot(play, backwards);
     return true;
 }

@@ -39,6 +39,8 @@ std::string PoolController::line(const PlayContext& play) const {
     if (const StrokeMeter* const meter = stroke_.meter())
         return meter->text(play.keys.hint("grab"), play.view.options.look);
     if (is_aiming(play)) return aim_.line(play.session, play.view.options.look);
+    if (const ShotsState* const shots = shots_of(play.session))
+        return shots->is_shooting ? "" : shots->message;
     const PoolPlay* const pool = pool_of(play.session);
     if (!pool) return "";
     if (opponent_.is_turn(play.session)) return opponent_.text();
@@ -72,6 +74,8 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     }
     if (pool && pool->rules.phase == PoolPhase::over)
         hint("next-frame", match_winner(*pool) ? "the next match" : "the next frame");
+    if (const ShotsState* const shots = shots_of(play.session); shots && shots->is_over)
+        hint("next-frame", "a new game");
     if (are_rolling(play)) return hint("to-rest", "skip until they rest");
     if (stroke_.meter()) {
         hint("grab", "strike");

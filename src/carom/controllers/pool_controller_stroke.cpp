@@ -111,7 +111,7 @@ void PoolController::start_push(PlayContext& play) {
 
 bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     if (event.button == middle_button) return false;
-    const bool has_game = pool_of(play.session) != nullptr;
+    const bool has_game = has_turns(play.session);
     const auto cue = aim_.cue_ball(play.session);
     const auto at_pointer = ball_at_pointer(play);
     const bool is_left = event.button == left_button && !(event.modifiers & (shift | control));
@@ -125,8 +125,11 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     }
     if (!is_aiming(play)) {
         if (opponent_.is_turn(play.session)) say(play, "it is carom's turn");
-        const auto why_not =
-            has_game && cue ? refusal_to_shoot(*pool_of(play.session), *cue) : std::nullopt;
+        const PoolPlay* const pool = pool_of(play.session);
+        const ShotsState* const shots = shots_of(play.session);
+        const auto why_not = pool && cue ? refusal_to_shoot(*pool, *cue)
+                             : shots     ? refusal_to_shoot(play.session.world(), *shots)
+                                         : std::nullopt;
         if (why_not) say(play, *why_not);
         return has_game || !is_left;
     }
@@ -192,7 +195,7 @@ bool PoolController::shoot_with_key(PlayContext& play) {
             say(play, fmt::format("the balls still roll: {} skips", play.keys.hint("to-rest")));
         return true;
     }
-    if (!pool_of(play.session)) return false;
+    if (!has_turns(play.session)) return false;
     // Puts down the ball in hand.
     grab(play);
     play.pointer.shows_cursor = !play.pointer.tool.is_empty();

@@ -162,7 +162,8 @@ bool is_game(const PlayContext& play) {
 HudInfo status_of(const PlayContext& play) {
     HudInfo info;
     info.title = play.session.scene().title;
-    info.goal = play.words.goal;
+    info.goal = task_text(play.session.scene(), play.session.world(), play.session.game());
+    if (info.goal.empty()) info.goal = play.words.goal;
     info.is_game = is_game(play);
     info.solver = solver_text(play.session.solver());
     info.solver_is_picked = play.solver_is_picked;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "carom/pool/pool_status.h"
 #include "game/ai/pool_shots.h"
 #include "game/ai/pool_value.h"
 #include "game/ai/shot_noise.h"
@@ -45,8 +46,10 @@ const PoolPlay* PoolAim::play(const Session& session) const {
 }
 
 std::optional<BallId> PoolAim::cue_ball(const Session& session) const {
-    const auto ball =
-        play(session) ? play(session)->balls[0] : std::optional(session.scene().pool.cue->ball);
+    const ShotsState* const shots = shots_of(session);
+    const auto ball = shots           ? cue_ball_of(session.scene(), *shots)
+                      : play(session) ? play(session)->balls[0]
+                                      : std::optional(session.scene().pool.cue->ball);
     if (!ball || !index_of(session.world(), *ball)) return std::nullopt;
     return ball;
 }
@@ -55,15 +58,20 @@ bool PoolAim::may_aim(const Session& session) const {
     const auto ball = cue_ball(session);
     if (!ball) return false;
     if (const PoolPlay* game = play(session)) return !refusal_to_shoot(*game, *ball);
+    if (const ShotsState* shots = shots_of(session))
+        return !refusal_to_shoot(session.world(), *shots);
     return is_at_rest(session.world());
 }
 
 bool PoolAim::may_place(const Session& session) const {
+    if (const ShotsState* shots = shots_of(session)) return shots->is_in_hand && may_aim(session);
     const PoolPlay* game = play(session);
     return game && may_aim(session) && game->rules.in_hand != CueInHand::no;
 }
 
 double PoolAim::most_speed(const Session& session) const {
+    if (const ShotsState* shots = shots_of(session))
+        return cue_in_turn(session.scene(), *shots).most_power;
     return session.scene().pool.cue->most_power;
 }
 
@@ -190,7 +198,7 @@ std::string PoolAim::next_target(const Session& session, bool backwards) {
 }
 
 std::string PoolAim::next_pot(const Session& session, bool backwards) {
-    if (is_match_) return next_target(session, backwards);
+    if (is_match_ || session.scene().pool.pockets.empty()) return next_target(session, backwards);
     const auto cloth = cloth_box(session.scene());
     const auto cue = cue_ball(session);
     if (!cloth || !cue) return "there are no pockets here";
@@ -262,6 +270,7 @@ command::Strike PoolAim::strike(const Session& session) const {
 
 void PoolAim::look(const Session& session) {
     const PoolPlay* game = play(session);
+    const ShotsState* shots = shots_of(session);
     if (!may_aim(session)) {
         is_seen_ = false;
         forecast_.reset();
@@ -272,7 +281,8 @@ void PoolAim::look(const Session& session) {
     const std::uint64_t now = game ? std::uint64_t{game->shots} * 64 +
                                          static_cast<std::uint64_t>(game->rules.phase) * 8 +
                                          static_cast<std::uint64_t>(game->rules.player)
-                                   : 0;
+                              : shots ? std::uint64_t{shots->games} << 32 | shots->shots
+                                      : 0;
     if (std::exchange(turn_, now) != now) begin_turn(session);
     setup_.speed = std::min(setup_.speed, most_speed(session));
     // The ball in hand was moved: aim anew.

@@ -43,7 +43,7 @@ std::vector<PoolAnnotations::Number> numbers_of(const Session& session) {
         return numbers;
     }
     const PoolTable& pool = session.scene().pool;
-    if (pool.cue) numbers.push_back({pool.cue->ball, 0});
+    if (pool.cues.size() == 1) numbers.push_back({pool.cue->ball, 0});
     for (const Rack& rack : pool.racks)
         for (std::size_t i = 0; i < rack.balls.size(); ++i)
             numbers.push_back({rack.balls[i], static_cast<int>(i) + 1});

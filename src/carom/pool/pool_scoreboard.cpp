@@ -30,6 +30,15 @@ PoolPanel::Player player_of(const PoolPlay& play, int player, const PlayerNames&
     return shown;
 }
 
+PoolPanel::Player player_of(const ShotsState& shots, std::uint32_t player,
+                            const PlayerNames& names) {
+    PoolPanel::Player shown;
+    shown.name = names[player];
+    shown.group = fmt::format("{} points", shots.players[player].score);
+    shown.is_turn = shots.rules.player == player && !shots.is_over;
+    return shown;
+}
+
 }  // namespace
 
 PoolPanel scoreboard_of(const Session& session, const PlayerNames& names) {
@@ -41,6 +50,9 @@ PoolPanel scoreboard_of(const Session& session, const PlayerNames& names) {
             if (is_down(play->rules, ball)) panel.tray.push_back(ball);
         return panel;
     }
+    if (const auto* shots = std::get_if<ShotsState>(&session.game());
+        shots && shots->players.size() == 2)
+        panel.players = {player_of(*shots, 0, names), player_of(*shots, 1, names)};
     for (const Rack& rack : session.scene().pool.racks)
         for (std::size_t i = 0; i < rack.balls.size(); ++i)
             if (!index_of(session.world(), rack.balls[i]))

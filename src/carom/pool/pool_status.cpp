@@ -8,25 +8,46 @@ const PoolPlay* pool_of(const Session& session) {
     return std::get_if<PoolPlay>(&session.game());
 }
 
+const ShotsState* shots_of(const Session& session) {
+    return std::get_if<ShotsState>(&session.game());
+}
+
+bool has_turns(const Session& session) {
+    return pool_of(session) || shots_of(session);
+}
+
+namespace {
+
+// The outcome of the last shot; none: no game is played.
+std::optional<std::string> outcome_of(const Session& session, const PlayerNames& names) {
+    if (const ShotsState* const shots = shots_of(session)) return shots->message;
+    if (const PoolPlay* const pool = pool_of(session)) return outcome_text(*pool, names);
+    return std::nullopt;
+}
+
+}  // namespace
+
 void add_pool_title(const Session& session, const PlayerNames& names,
                     std::optional<double> time_left, HudInfo& info) {
     const PoolPlay* const pool = pool_of(session);
-    if (!pool) return;
+    if (!has_turns(session)) return;
     info.title_comes_first = true;
+    if (!pool) {
+        info.title = turn_text(session.scene(), *shots_of(session));
+        return;
+    }
     info.title = turn_text(*pool, names) + (time_left ? ", " + clock_text(*time_left) : "");
 }
 
 std::optional<std::string> ShotAnnouncer::tell(const Session& session, const PlayerNames& names) {
-    const PoolPlay* const pool = pool_of(session);
-    if (!pool) return std::nullopt;
-    std::string now = outcome_text(*pool, names);
-    if (now == told_) return std::nullopt;
-    told_ = std::move(now);
-    return told_.empty() ? std::nullopt : std::optional(told_);
+    std::optional<std::string> now = outcome_of(session, names);
+    if (!now || *now == told_) return std::nullopt;
+    told_ = *now;
+    return told_.empty() ? std::nullopt : std::move(now);
 }
 
 void ShotAnnouncer::skip(const Session& session, const PlayerNames& names) {
-    if (const PoolPlay* const pool = pool_of(session)) told_ = outcome_text(*pool, names);
+    if (auto now = outcome_of(session, names)) told_ = *std::move(now);
 }
 
 }  // namespace carom

@@ -8,14 +8,18 @@
 #include "game/session/session.h"
 #include "terminal/panels/hud.h"
 
-/// Messages of a game of pool, in play and in a watched recording.
+/// Messages of a game of pool or of shots, in play and in a watched recording.
 namespace carom {
 
 /// The state of the session's game of pool; null if there is none.
 const PoolPlay* pool_of(const Session& session);
+/// The state of the session's game of shots (game/shots/shots.h); null if there is none.
+const ShotsState* shots_of(const Session& session);
+/// Whether rules decide who shoots: a game of pool or of shots.
+bool has_turns(const Session& session);
 
 /// Puts the score and the turn into the title, and the time left for the shot, s, if there is any.
-/// Does nothing without a game of pool.
+/// Does nothing without a game.
 void add_pool_title(const Session& session, const PlayerNames& names,
                     std::optional<double> time_left, HudInfo& info);
 

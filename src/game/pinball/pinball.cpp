@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "game/pinball/pinball_players.h"
 #include "game/pinball/pinball_search.h"
 #include "game/pinball/pinball_table.h"
+#include "game/rules/rules.h"
 #include "geometry/closest.h"
 #include "physics/world/random.h"
 
@@ -92,6 +94,7 @@ void push_table(Pinball game) {
 }
 
 void note_launch(Pinball game) {
+    apply_rules(game, RuleEvent::launch);
     if (std::exchange(game.state.is_launched, true)) return;
     save_for(game, game.table().save);
 }
@@ -138,6 +141,8 @@ void begin_ball(Pinball game) {
     state.is_tilted = false;
     state.warnings = 0;
     state.tilt_meter = 0.0;
+    begin_scope(game.scene.rules, state.rules, RuleScope::turn);
+    state.rules.turn_is_new = true;
     for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
         if (game.table().devices[i].kind == DeviceKind::kickback) set_lit(game, i, true);
 }
@@ -154,6 +159,8 @@ void begin_game_again(Pinball game) {
     state.score = 0;
     state.ball = 1;
     state.extra_balls = 0;
+    state.rules = begin_rules(game.scene.rules);
+    begin_players(game.scene, state);
     for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
         set_lit(game, i, false);
     for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
@@ -165,6 +172,14 @@ void begin_game_again(Pinball game) {
 void end_game(Pinball game) {
     PinballState& state = game.state;
     state.phase = Phase::over;
+    if (!state.parked.empty()) {
+        const std::vector<std::int64_t> scores = scores_of(state);
+        const auto winner = std::ranges::max_element(scores) - scores.begin();
+        state.parked[state.rules.player].score = state.score;
+        state.rules.player = static_cast<std::uint32_t>(winner);
+        state.score = scores[static_cast<std::size_t>(winner)];
+        return game.say(fmt::format("GAME OVER  PLAYER {} WINS", winner + 1), 3600.0);
+    }
     const auto drawn = random_bits(game.world.seed(), RandomStream::player, state.games, 0) % 10;
     const bool matches = static_cast<std::uint64_t>(state.score / 10 % 10) == drawn;
     game.say(fmt::format("GAME OVER  MATCH {}0{}", drawn, matches ? "  A FREE GAME" : ""), 3600.0);
@@ -180,6 +195,7 @@ void end_ball(Pinball game) {
             counting_time);
     }
     state.phase = Phase::counting;
+    std::ranges::fill(state.rules.timer_ends, 0);
     state.phase_until = game.now() + game.ticks(counting_time);
 }
 
@@ -190,8 +206,7 @@ void go_on_after_count(Pinball game) {
         --state.extra_balls;
         game.say("SHOOT AGAIN", 2.0);
         serve_next(game);
-    } else if (state.ball < game.table().balls) {
-        ++state.ball;
+    } else if (pass_to_next_player(game)) {
         serve_next(game);
     } else {
         end_game(game);
@@ -205,10 +220,12 @@ void count_drained(Pinball game) {
         const std::int32_t zone = game.world.removed()[static_cast<std::size_t>(i)].zone;
         for (std::uint32_t d = 0; d < game.table().devices.size() && zone >= 0; ++d)
             if (game.table().devices[d].zone == static_cast<std::uint32_t>(zone))
-                apply_rules(game, d, Rule::When::enter);
+                apply_rules(game, d, RuleEvent::enter);
     }
     state.removals_seen = game.world.removed().size();
     state.drained += gone;
+    for (std::uint64_t i = 0; i < gone; ++i)
+        apply_rules(game, RuleEvent::drain);
     if (!game.table().is_game || state.phase != Phase::playing) return;
     if (gone > 0 && game.now() <= state.save_until) {
         state.to_serve += static_cast<std::uint32_t>(gone);
@@ -229,6 +246,8 @@ PinballState begin_pinball(const Scene& scene) {
     state.is_rising.assign(devices, 0);
     state.turning.assign(devices, 0.0);
     state.turned.assign(devices, 0.0);
+    state.rules = begin_rules(scene.rules);
+    begin_players(scene, state);
     for (std::size_t i = 0; i < devices; ++i)
         if (scene.table.devices[i].kind == DeviceKind::kickback) state.is_lit[i] = 1;
     return state;
@@ -237,6 +256,7 @@ PinballState begin_pinball(const Scene& scene) {
 void update_pinball(const Scene& scene, World& world, PinballState& state,
                     std::span<const Contact> contacts) {
     const Pinball game{scene, world, state};
+    run_rules(game);
     hit_devices(game, contacts);
     expire_lights(game);
     visit_zones(game);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "game/pinball/pinball_state.h"
 #include "level/scene/scene.h"
@@ -29,6 +30,9 @@ void press(const Scene& scene, World& world, PinballState& state, Button button,
 /// it there if `lets_go`.
 void pull_plunger(const Scene& scene, World& world, PinballState& state, double share,
                   bool lets_go);
+
+/// The task that the rules of the table show now (`task` in a level); empty: none.
+std::string task_text(const Scene& scene, const World& world, const PinballState& state);
 
 /// Whether a ball lies on a plunger.
 bool is_on_plunger(const Scene& scene, const World& world);

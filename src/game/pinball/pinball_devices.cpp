@@ -78,7 +78,7 @@ void hit_devices(Pinball game, std::span<const Contact> contacts) {
         if (hit.kind == DeviceKind::bumper || hit.kind == DeviceKind::slingshot) {
             game.state.flash_until[device] = game.now() + game.ticks(flash);
         }
-        apply_rules(game, device, Rule::When::hit);
+        apply_rules(game, device, RuleEvent::hit);
     }
 }
 
@@ -107,7 +107,7 @@ void visit_zones(Pinball game) {
                 std::max(game.state.turning[visit.device],
                          length(game.world.balls().velocity[ball]) / rim * half_turns_per_length);
         }
-        apply_rules(game, visit.device, Rule::When::enter);
+        apply_rules(game, visit.device, RuleEvent::enter);
         if (place.kind == DeviceKind::kickback) kick_back(game, visit.device, ball);
         if (place.kind == DeviceKind::hole) take_into_hole(game, visit.device, visit.ball);
     }
@@ -124,7 +124,7 @@ void update_spinners(Pinball game) {
         turned += turning * step;
         turning -= turning * std::min(1.0, slowing * step);
         for (; turned >= 1.0; turned -= 1.0)
-            apply_rules(game, device, Rule::When::hit);
+            apply_rules(game, device, RuleEvent::hit);
         if (turning < slowest) turning = turned = 0.0;
     }
 }

@@ -67,7 +67,7 @@ void cross_ramps(Pinball game) {
             const bool has_passed = dot(at - ramp.place, ramp.direction) > 0.0;
             if (has_passed && layer == ramp.from) {
                 set_layer(world, world.balls().id[i], ramp.to);
-                apply_rules(game, device, Rule::When::enter);
+                apply_rules(game, device, RuleEvent::enter);
             } else if (!has_passed && layer == ramp.to && ramp.to > ramp.from) {
                 set_layer(world, world.balls().id[i], ramp.from);
             }

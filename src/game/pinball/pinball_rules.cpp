@@ -1,9 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "game/pinball/pinball_players.h"
 #include "game/pinball/pinball_table.h"
+#include "game/rules/rules.h"
 
 // Executes the rules that the author of a table wrote.
 namespace carom {
@@ -23,15 +24,17 @@ void add(std::int64_t& sum, std::int64_t amount) {
     sum = std::clamp<std::int64_t>(sum + amount, 0, most);
 }
 
-void add_or_set(std::int64_t& sum, const RuleAction& action) {
+void add_or_set(std::int64_t& sum, const RuleAction& action, std::int64_t value) {
     if (action.adds)
-        add(sum, action.amount);
+        add(sum, value);
     else
-        sum = std::max<std::int64_t>(0, action.amount);
+        sum = std::max<std::int64_t>(0, value);
 }
 
 void begin_multiball(Pinball game, std::int64_t wanted) {
+    constexpr std::int64_t most = 8;
     const auto there = static_cast<std::int64_t>(game.world.balls().size() + game.state.to_serve);
+    wanted = std::min(wanted, most);
     if (wanted <= there) return;
     game.state.to_serve += static_cast<std::uint32_t>(wanted - there);
     game.state.serves_itself = true;
@@ -39,80 +42,128 @@ void begin_multiball(Pinball game, std::int64_t wanted) {
     game.say("MULTIBALL", 3.0);
 }
 
-void follow(Pinball game, std::uint32_t group, Rule::When when, int depth);
+void set_lights(Pinball game, const RuleAction& action) {
+    for (const std::uint32_t device : game.table().groups[action.index].devices) {
+        set_lit(game, device, action.what == What::light);
+        if (action.seconds > 0.0)
+            game.state.lit_until[device] = game.now() + game.ticks(action.seconds);
+        const bool drops = game.table().devices[device].kind == DeviceKind::droptarget;
+        if (drops && action.what == What::reset) game.state.is_rising[device] = 1;
+    }
+}
+
+/// What the rules of a table may ask.
+class PinballAnswers : public RuleHost {
+  public:
+    PinballAnswers(const Scene& scene, const World& world, const PinballState& state)
+        : scene_(scene), world_(world), state_(state) {}
+
+    std::uint64_t now() const override { return world_.tick(); }
+    double rate() const override { return world_.rate(); }
+    std::int64_t quantity(RuleQuantity what) const override;
+    std::int64_t count(const RuleBalls&) const override {
+        return static_cast<std::int64_t>(world_.balls().size());
+    }
+    std::pair<std::int64_t, std::int64_t> lights(std::uint32_t group) const override {
+        const std::vector<std::uint32_t>& devices = scene_.table.groups[group].devices;
+        const auto is_lit = [&](std::uint32_t device) { return state_.is_lit[device] != 0; };
+        return {std::ssize(devices), std::ranges::count_if(devices, is_lit)};
+    }
+    void act(const RuleAction&, std::int64_t, int) override {}
+
+  private:
+    const Scene& scene_;
+    const World& world_;
+    const PinballState& state_;
+};
+
+/// What the rules of a table may ask and do.
+class PinballHost final : public PinballAnswers {
+  public:
+    explicit PinballHost(Pinball game)
+        : PinballAnswers(game.scene, game.world, game.state), game_(game) {}
+
+    void act(const RuleAction& action, std::int64_t value, int depth) override;
+
+    Rules rules() { return {game_.scene.rules, game_.state.rules, *this}; }
+
+  private:
+    void advance(std::uint32_t group, int depth);
+
+    Pinball game_;
+};
+
+std::int64_t PinballAnswers::quantity(RuleQuantity what) const {
+    switch (what) {
+        case RuleQuantity::score:
+            return state_.score;
+        case RuleQuantity::player:
+            return std::int64_t{state_.rules.player} + 1;
+        case RuleQuantity::players:
+            return std::int64_t{scene_.rules.players};
+        case RuleQuantity::ball:
+            return std::int64_t{state_.ball};
+        case RuleQuantity::bonus:
+            return state_.bonus;
+        case RuleQuantity::multiplier:
+            return state_.multiplier;
+        case RuleQuantity::best:
+            return best_score(state_);
+        case RuleQuantity::multiball:
+            return world_.balls().size() >= 2 ? 1 : 0;
+        default:
+            return 0;
+    }
+}
 
 // Lights the first unlit device. If that completes the group, its `all` rules apply.
-void advance(Pinball game, std::uint32_t group, int depth) {
-    for (const std::uint32_t device : game.table().groups[group].devices) {
-        if (game.state.is_lit[device] != 0) continue;
-        set_lit(game, device, true);
-        if (are_all_lit(game, group)) follow(game, group, Rule::When::all, depth + 1);
+void PinballHost::advance(std::uint32_t group, int depth) {
+    for (const std::uint32_t device : game_.table().groups[group].devices) {
+        if (game_.state.is_lit[device] != 0) continue;
+        set_lit(game_, device, true);
+        if (are_all_lit(game_, group)) happen(rules(), RuleEvent::all, group, depth + 1);
         return;
     }
 }
 
-void carry_out(Pinball game, const RuleAction& action, int depth) {
-    PinballState& state = game.state;
+void PinballHost::act(const RuleAction& action, std::int64_t value, int depth) {
+    PinballState& state = game_.state;
     constexpr std::int64_t most_multiplier = 100;
     switch (action.what) {
         case What::score:
-            add(state.score, action.amount);
+            add(state.score, value);
             break;
         case What::bonus:
-            add_or_set(state.bonus, action);
+            add_or_set(state.bonus, action, value);
             break;
         case What::multiplier:
-            add_or_set(state.multiplier, action);
+            add_or_set(state.multiplier, action, value);
             state.multiplier = std::clamp<std::int64_t>(state.multiplier, 1, most_multiplier);
             break;
         case What::multiball:
-            begin_multiball(game, action.amount);
+            begin_multiball(game_, value);
             break;
         case What::save:
-            save_for(game, action.seconds);
+            save_for(game_, action.seconds);
             break;
         case What::extraball:
             ++state.extra_balls;
-            game.say("EXTRA BALL", 3.0);
+            game_.say("EXTRA BALL", 3.0);
             break;
         case What::message:
-            game.say(action.text, 3.0);
+            game_.say(text_of(game_.scene.rules, state.rules, *this, action.text), 3.0);
             break;
         case What::advance:
-            advance(game, action.group, depth);
+            advance(action.index, depth);
             break;
         case What::light:
         case What::unlight:
         case What::reset:
-            for (const std::uint32_t device : game.table().groups[action.group].devices) {
-                set_lit(game, device, action.what == What::light);
-                if (action.seconds > 0.0)
-                    state.lit_until[device] = game.now() + game.ticks(action.seconds);
-                const bool drops = game.table().devices[device].kind == DeviceKind::droptarget;
-                if (drops && action.what == What::reset) state.is_rising[device] = 1;
-            }
+            set_lights(game_, action);
             break;
+        default:
+            break;  // actions of other games, which the loader refuses
     }
-}
-
-bool holds(const Pinball& game, const Rule& rule) {
-    return std::ranges::all_of(rule.needs, [&](const Rule::Need& need) {
-        const bool is_so =
-            need.group ? are_all_lit(game, *need.group) : game.world.balls().size() >= 2;
-        return is_so != need.is_not;
-    });
-}
-
-// Evaluates all conditions first: the actions of a rule must not change whether the next one holds.
-void follow(Pinball game, std::uint32_t group, Rule::When when, int depth) {
-    constexpr int deepest = 8;  // ends rules that light each other in a cycle
-    if (depth > deepest) return;
-    std::vector<const Rule*> due;
-    for (const Rule& rule : game.table().rules)
-        if (rule.group == group && rule.when == when && holds(game, rule)) due.push_back(&rule);
-    for (const Rule* rule : due)
-        for (const RuleAction& action : rule->actions)
-            carry_out(game, action, depth);
 }
 
 }  // namespace
@@ -129,16 +180,38 @@ void expire_lights(Pinball game) {
     }
 }
 
-void apply_rules(Pinball game, std::uint32_t device, Rule::When when) {
+void apply_rules(Pinball game, std::uint32_t device, RuleEvent event) {
     if (!game.is_scoring()) return;
     const std::uint32_t group = game.table().devices[device].group;
-    follow(game, group, when, 0);
+    PinballHost host(game);
+    happen(host.rules(), event, group);
     const DeviceKind kind = game.table().devices[device].kind;
     const bool lights = kind == DeviceKind::rollover || kind == DeviceKind::target ||
                         kind == DeviceKind::droptarget;
     if (!lights || game.state.is_lit[device] != 0) return;
     set_lit(game, device, true);
-    if (are_all_lit(game, group)) follow(game, group, Rule::When::all, 0);
+    if (are_all_lit(game, group)) happen(host.rules(), RuleEvent::all, group);
+}
+
+void apply_rules(Pinball game, RuleEvent moment) {
+    if (!game.is_scoring()) return;
+    PinballHost host(game);
+    happen(host.rules(), moment);
+}
+
+void run_rules(Pinball game) {
+    RuleState& rules = game.state.rules;
+    if (!game.is_scoring()) return;
+    if (std::exchange(rules.game_is_new, false)) apply_rules(game, RuleEvent::game_begins);
+    if (std::exchange(rules.turn_is_new, false)) apply_rules(game, RuleEvent::turn_begins);
+    if (rules.timer_ends.empty()) return;
+    PinballHost host(game);
+    end_timers(host.rules());
+}
+
+std::string task_text(const Scene& scene, const World& world, const PinballState& state) {
+    if (scene.rules.tasks.empty()) return {};
+    return task_text(scene.rules, state.rules, PinballAnswers(scene, world, state));
 }
 
 void save_for(Pinball game, double seconds) {

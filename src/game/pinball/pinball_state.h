@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/rules/rule_state.h"
 #include "level/scene/pinball_table.h"
 #include "physics/world/ids.h"
 
@@ -80,6 +81,17 @@ struct PinballState {
     std::uint64_t searches = 0;  ///< kicks by the ball search
     std::uint64_t lost = 0;      ///< balls served again because no kick freed them, or because
                                  ///< they had left the table
+
+    RuleState rules;
+
+    /// What a player leaves on the table until its next ball.
+    struct Parked {
+        std::int64_t score = 0;
+        std::uint32_t extra_balls = 0;
+        std::vector<std::uint8_t> is_lit;  ///< but for drop targets, which rise
+    };
+    /// By player; that of the player whose turn it is is out of date. Empty: one player.
+    std::vector<Parked> parked;
 
     std::string message;
     std::uint64_t message_until = 0;

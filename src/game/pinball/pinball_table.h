@@ -45,7 +45,11 @@ void set_lit(Pinball game, std::uint32_t device, bool is_lit);
 void expire_lights(Pinball game);
 
 /// Applies the rules to an event of a device (pinball_rules.cpp).
-void apply_rules(Pinball game, std::uint32_t device, Rule::When when);
+void apply_rules(Pinball game, std::uint32_t device, RuleEvent event);
+/// Applies the rules to an event that has no subject: launch, drain, the begin of a turn.
+void apply_rules(Pinball game, RuleEvent moment);
+/// Begins a game and a turn where one is due, and ends timers.
+void run_rules(Pinball game);
 
 /// Raises drop targets that are due, once no ball is in the way (pinball_devices.cpp).
 void raise_targets(Pinball game);

@@ -6,6 +6,8 @@
 
 #include "game/digest.h"
 #include "game/pinball/pinball.h"
+#include "game/pinball/pinball_players.h"
+#include "game/rules/rules.h"
 #include "physics/world/fingerprint.h"
 
 namespace carom {
@@ -67,6 +69,13 @@ std::uint64_t digest_of(const World& world, const PinballState& s, int version) 
         digest.add(watch.since);
         digest.add(std::uint64_t{watch.searches});
     }
+    add_to(digest, s.rules);
+    for (const PinballState::Parked& parked : s.parked) {
+        digest.add(static_cast<std::uint64_t>(parked.score));
+        digest.add(std::uint64_t{parked.extra_balls});
+        for (const std::uint8_t lit : parked.is_lit)
+            digest.add(std::uint64_t{lit});
+    }
     return digest.value();
 }
 
@@ -88,6 +97,7 @@ std::vector<Vec2> places_of(const Command& command) {
 
 GameState begin_game(const Scene& scene) {
     if (const auto pool = begin_pool(scene)) return *pool;
+    if (auto shots = begin_shots(scene)) return *std::move(shots);
     if (scene.table.is_empty()) return {};
     return begin_pinball(scene);
 }
@@ -97,6 +107,7 @@ void update_game(const Scene& scene, World& world, GameState& game,
     if (auto* pinball = std::get_if<PinballState>(&game))
         update_pinball(scene, world, *pinball, contacts);
     if (auto* pool = std::get_if<PoolPlay>(&game)) update_pool(scene, world, *pool, contacts);
+    if (auto* shots = std::get_if<ShotsState>(&game)) update_shots(scene, world, *shots, contacts);
 }
 
 bool is_within_reach(const Scene& scene, const Command& command) {
@@ -115,6 +126,8 @@ std::optional<std::string> refusal(const Scene& scene, const World& world, const
     if (!is_within_reach(scene, command)) return "the place is too far away";
     if (const auto* pool = std::get_if<PoolPlay>(&game))
         return refusal(scene, world, *pool, command);
+    if (const auto* shots = std::get_if<ShotsState>(&game))
+        return refusal(scene, world, *shots, command);
     const auto* press = std::get_if<command::Press>(&command);
     const auto* pull = std::get_if<command::Pull>(&command);
     if ((!press && !pull) || !std::holds_alternative<PinballState>(game))
@@ -135,6 +148,8 @@ void execute(const Scene& scene, World& world, GameState& game, const Command& c
         pull_plunger(scene, world, *pinball, pulled->share, pulled->lets_go);
     else if (auto* pool = std::get_if<PoolPlay>(&game))
         execute(scene, world, *pool, command);
+    else if (auto* shots = std::get_if<ShotsState>(&game))
+        execute(scene, world, *shots, command);
     else
         execute(world, command);
 }
@@ -156,6 +171,8 @@ bool is_plunger_pulled(const GameState& game) {
 std::uint64_t fingerprint(const World& world, const GameState& game, int version) {
     if (const auto* pool = std::get_if<PoolPlay>(&game))
         return digest_of(fingerprint(world, version), *pool);
+    if (const auto* shots = std::get_if<ShotsState>(&game))
+        return digest_of(fingerprint(world, version), *shots);
     if (const auto* pinball = std::get_if<PinballState>(&game))
         return digest_of(world, *pinball, version);
     return fingerprint(world, version);
@@ -163,6 +180,7 @@ std::uint64_t fingerprint(const World& world, const GameState& game, int version
 
 std::size_t bytes_of(const GameState& game) {
     if (const auto* pool = std::get_if<PoolPlay>(&game)) return bytes_of(*pool);
+    if (const auto* shots = std::get_if<ShotsState>(&game)) return bytes_of(*shots);
     const auto* pinball = std::get_if<PinballState>(&game);
     if (!pinball) return 0;
     const auto bytes_in = [](const auto& values) {
@@ -171,22 +189,65 @@ std::size_t bytes_of(const GameState& game) {
     return bytes_in(pinball->is_lit) + bytes_in(pinball->is_rising) + bytes_in(pinball->turning) +
            bytes_in(pinball->turned) + bytes_in(pinball->visits) + bytes_in(pinball->progress) +
            bytes_in(pinball->lit_until) + bytes_in(pinball->flash_until) + bytes_in(pinball->held) +
-           pinball->message.capacity();
+           bytes_in(pinball->parked) + bytes_of(pinball->rules) + pinball->message.capacity();
 }
 
-std::vector<std::pair<std::string, std::uint64_t>> tallies(const GameState& game) {
-    if (const auto* pool = std::get_if<PoolPlay>(&game))
-        return {{"player", static_cast<std::uint64_t>(pool->rules.player) + 1},
-                {"shots", std::uint64_t{pool->shots}},
-                {"frames1", std::uint64_t{pool->frames[0]}},
-                {"frames2", std::uint64_t{pool->frames[1]}}};
-    const auto* pinball = std::get_if<PinballState>(&game);
-    if (!pinball) return {};
-    return {{"score", static_cast<std::uint64_t>(pinball->score)},
-            {"ball", std::uint64_t{pinball->ball}},
-            {"drained", pinball->drained},
-            {"searches", pinball->searches},
-            {"lost", pinball->lost}};
+namespace {
+
+using Tallies = std::vector<std::pair<std::string, std::int64_t>>;
+
+Tallies tallies_of(const PoolPlay& pool) {
+    return {{"player", pool.rules.player + 1},
+            {"shots", std::int64_t{pool.shots}},
+            {"frames1", std::int64_t{pool.frames[0]}},
+            {"frames2", std::int64_t{pool.frames[1]}}};
+}
+
+Tallies tallies_of(const ShotsState& shots) {
+    Tallies all{{"player", std::int64_t{shots.rules.player} + 1},
+                {"shots", std::int64_t{shots.shots}},
+                {"over", shots.is_over ? 1 : 0},
+                {"winner", shots.winner ? std::int64_t{*shots.winner} + 1 : 0}};
+    for (std::size_t i = 0; i < shots.players.size(); ++i)
+        all.emplace_back("score" + std::to_string(i + 1), shots.players[i].score);
+    for (std::size_t i = 0; i < shots.players.size(); ++i)
+        all.emplace_back("fouls" + std::to_string(i + 1), shots.players[i].fouls);
+    if (shots.done) all.emplace_back("done", std::int64_t{shots.done->shots});
+    return all;
+}
+
+Tallies tallies_of(const PinballState& pinball) {
+    Tallies all{{"score", pinball.score},
+                {"ball", std::int64_t{pinball.ball}},
+                {"drained", static_cast<std::int64_t>(pinball.drained)},
+                {"searches", static_cast<std::int64_t>(pinball.searches)},
+                {"lost", static_cast<std::int64_t>(pinball.lost)}};
+    const std::vector<std::int64_t> scores = scores_of(pinball);
+    for (std::size_t i = 0; scores.size() > 1 && i < scores.size(); ++i)
+        all.emplace_back("score" + std::to_string(i + 1), scores[i]);
+    return all;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::int64_t>> tallies(const GameState& game) {
+    if (const auto* pool = std::get_if<PoolPlay>(&game)) return tallies_of(*pool);
+    if (const auto* shots = std::get_if<ShotsState>(&game)) return tallies_of(*shots);
+    if (const auto* pinball = std::get_if<PinballState>(&game)) return tallies_of(*pinball);
+    return {};
+}
+
+const RuleState* rule_state(const GameState& game) {
+    if (const auto* shots = std::get_if<ShotsState>(&game)) return &shots->rules;
+    if (const auto* pinball = std::get_if<PinballState>(&game)) return &pinball->rules;
+    return nullptr;
+}
+
+std::string task_text(const Scene& scene, const World& world, const GameState& game) {
+    if (const auto* shots = std::get_if<ShotsState>(&game)) return task_text(scene, world, *shots);
+    if (const auto* pinball = std::get_if<PinballState>(&game))
+        return task_text(scene, world, *pinball);
+    return {};
 }
 
 }  // namespace carom

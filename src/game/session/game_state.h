@@ -12,6 +12,7 @@
 #include "game/commands/command.h"
 #include "game/pinball/pinball_state.h"
 #include "game/pool/pool.h"
+#include "game/shots/shots.h"
 #include "level/scene/scene.h"
 #include "physics/world/contact.h"
 #include "physics/world/fingerprint.h"
@@ -22,7 +23,7 @@
 namespace carom {
 
 /// One alternative for each family of games; std::monostate without rules.
-using GameState = std::variant<std::monostate, PinballState, PoolPlay>;
+using GameState = std::variant<std::monostate, PinballState, PoolPlay, ShotsState>;
 
 /// The state at the start of the scene.
 GameState begin_game(const Scene& scene);
@@ -56,7 +57,12 @@ std::uint64_t fingerprint(const World& world, const GameState& game,
 /// The memory that the state owns, without sizeof, in bytes.
 std::size_t bytes_of(const GameState& game);
 
-/// The counts that reports list, by name: score, ball, ...
-std::vector<std::pair<std::string, std::uint64_t>> tallies(const GameState& game);
+/// The numbers that reports list, by name: score, ball, ...
+std::vector<std::pair<std::string, std::int64_t>> tallies(const GameState& game);
+
+/// The state of the level's rules; null: it has none.
+const RuleState* rule_state(const GameState& game);
+/// What to do now, in a line, by the rules of the level; empty: they do not say.
+std::string task_text(const Scene& scene, const World& world, const GameState& game);
 
 }  // namespace carom

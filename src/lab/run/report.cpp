@@ -181,6 +181,13 @@ void write_notes(JsonWriter& json, const RunRecord& record) {
         json.field("solver", name(record.solver.kind));
         json.end_object();
     }
+    if (record.actions_left_out > 0) {
+        json.begin_object(Layout::one_line);
+        json.field("kind", "actions_left_out");
+        json.field("actions", record.actions_left_out);
+        json.field("first_tick", record.first_left_out);
+        json.end_object();
+    }
     if (noted.ticks > 0) {
         json.begin_object(Layout::one_line);
         json.field("kind", "stood_still");
@@ -259,6 +266,18 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     return std::move(json).text();
 }
 
+namespace {
+
+// "game        player 2, shots 5, score1 3, score2 1"; empty without a game.
+std::string summary_of_game(const RunRecord& record) {
+    std::string text;
+    for (const auto& [name, count] : record.tallies)
+        text += fmt::format("{}{} {}", text.empty() ? "game        " : ", ", name, count);
+    return text.empty() ? text : text + "\n";
+}
+
+}  // namespace
+
 std::string summary(const Scene& scene, const World& world, const RunRecord& record,
                     double seconds) {
     const double start = record.totals_start.energy();
@@ -269,12 +288,12 @@ std::string summary(const Scene& scene, const World& world, const RunRecord& rec
         "balls       {} now, {} removed\n"
         "collisions  {} of balls, {} with edges\n"
         "energy      {:.6g} at the start, {:.6g} now{}\n"
-        "{}"
+        "{}{}"
         "fingerprint {}\n",
         scene.title.empty() ? scene.file : scene.title, world.time(), world.tick(),
         settings_text(record.solver, SettingsText::used), seconds, world.balls().size(),
         world.removed().size(), world.ball_ball_collisions(), world.ball_edge_collisions(), start,
-        end, change_of(start, end), summary_of_figures(record, world),
+        end, change_of(start, end), summary_of_figures(record, world), summary_of_game(record),
         hexadecimal(fingerprint(world)));
 }
 

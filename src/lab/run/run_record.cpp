@@ -59,6 +59,12 @@ std::string notes_text(const RunRecord& record, double rate) {
             "note: under {} impacts take no time, although the level says use modulus: only event "
             "knows it.\n",
             name(record.solver.kind));
+    if (record.actions_left_out > 0)
+        text += fmt::format(
+            "note: the rules ask for more than {} actions in a tick, first in tick {}: {} were "
+            "left "
+            "out.\n",
+            most_actions_in_a_tick, record.first_left_out, record.actions_left_out);
     const StoodStill& noted = record.stood_still;
     if (noted.ticks == 0) return text;
     return text +

@@ -34,7 +34,11 @@ struct RunRecord {
     /// By Scene::expects. A time means the tick nearest to it; no time means the end.
     std::vector<Judgement> judgements;
     /// The counts of a game, by name; noted at the end.
-    std::vector<std::pair<std::string, std::uint64_t>> tallies;
+    std::vector<std::pair<std::string, std::int64_t>> tallies;
+    /// Actions of the level's rules beyond what a tick may carry out, and the tick of the first;
+    /// noted at the end.
+    std::uint64_t actions_left_out = 0;
+    std::uint64_t first_left_out = 0;
 };
 
 /// Records the start, and judges expectations due at time 0.

@@ -14,6 +14,7 @@
 #include "level/assemble/pinball_assembly.h"
 #include "level/assemble/pool_assembly.h"
 #include "level/assemble/resolve_names.h"
+#include "level/assemble/rule_assembly.h"
 #include "level/assemble/symbol_table.h"
 
 namespace carom {
@@ -36,7 +37,11 @@ class Assembly {
         SymbolTable symbols(ir_, names_, context_);
         symbols.name_balls(balls_);
         PinballAssembly table(names_, context_);
-        table.check(!balls_.empty());
+        table.collect_devices();
+        RuleAssembly rules(table, names_, balls_, context_);
+        rules.check();
+        // A missing part may be one whose statement has an error.
+        if (!context_.reporter.has_errors()) table.check(!balls_.empty());
         check_pool(balls_, options_, context_);
         if (context_.reporter.has_errors()) {
             symbols.check_references();
@@ -47,6 +52,7 @@ class Assembly {
         fill_in_pool(balls_, symbols.world_zones(), scene_, context_);
         table.fill_in(scene_, symbols.world_zones());
         fill_in_dress(balls_, names_, symbols.world_zones(), scene_, context_);
+        rules.fill_in(scene_, symbols.world_zones());
         if (context_.reporter.has_errors()) return;
         check_flippers(balls_, names_, context_);
         check_gaps(balls_, names_, context_);

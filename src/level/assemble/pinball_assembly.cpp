@@ -7,25 +7,6 @@
 #include "level/text/spelling.h"
 
 namespace carom {
-namespace {
-
-// Why this kind of device never gives this event; none: it does.
-std::optional<std::string> never_gives(DeviceKind kind, Rule::When when) {
-    const DeviceTraits& device = traits(kind);
-    if (when == Rule::When::all) {
-        if (device.completes_group) return std::nullopt;
-        return "only rollovers, targets and lamps light up one by one";
-    }
-    if (kind == DeviceKind::lamp) return "a lamp only shines: wait for what lights it";
-    if (when == Rule::When::enter)
-        return device.is_zone ? std::nullopt
-                              : std::optional<std::string>("balls hit it: write hit");
-    if (!device.is_zone || kind == DeviceKind::spinner) return std::nullopt;
-    return "balls enter it: write enter";
-}
-
-}  // namespace
-
 std::string PinballAssembly::name_of(const DeviceIr& device) const {
     const std::string& name = names_.edges[static_cast<std::size_t>(device.binding)].name;
     return name.empty() ? std::string(traits(device.device.kind).name) : name;
@@ -108,53 +89,8 @@ std::optional<std::uint32_t> PinballAssembly::group_named(const Word& name, bool
     return std::nullopt;
 }
 
-bool PinballAssembly::resolve_rule(const RuleIr& spec) {
-    Rule rule;
-    const auto group = group_named(spec.name, true);
-    if (!group) return false;
-    rule.group = *group;
-    rule.when = spec.when;
-    const DeviceKind kind = table_.groups[*group].kind;
-    if (const auto why = never_gives(kind, spec.when)) {
-        context_.reporter.error("event-never-happens", spec.when_word.span(),
-                                fmt::format("'{}' is a {}, which never gives '{}'", spec.name.text,
-                                            traits(kind).name, spec.when_word.text),
-                                *why);
-        return false;
-    }
-    const auto with_lights = [&](const Word& name) -> std::optional<std::uint32_t> {
-        const auto lit = group_named(name, false);
-        if (!lit || traits(table_.groups[*lit].kind).has_light) return lit;
-        context_.reporter.error("device-without-light", name.span(),
-                                fmt::format("'{}' has no lights", name.text),
-                                "only rollovers, targets, lamps and kickbacks are lit");
-        return std::nullopt;
-    };
-    for (const RuleIr::Need& need : spec.needs) {
-        rule.needs.push_back({std::nullopt, need.is_not});
-        if (need.name.text == "multiball") continue;
-        rule.needs.back().group = with_lights(need.name);
-        if (!rule.needs.back().group) return false;
-    }
-    for (const RuleActionIr& action : spec.actions) {
-        rule.actions.push_back(action.action);
-        if (!action.group) continue;
-        const auto lit = with_lights(*action.group);
-        if (!lit) return false;
-        rule.actions.back().group = *lit;
-    }
-    table_.rules.push_back(std::move(rule));
-    return true;
-}
-
-void PinballAssembly::check_game(bool has_balls) {
-    if (!ir_.settings.table.is_game) {
-        if (!ir_.rules.empty())
-            context_.reporter.error("rules-without-pinball", ir_.rules.front().name.span(),
-                                    "rules need a game that follows them",
-                                    "say which: game pinball");
-        return;
-    }
+void PinballAssembly::check(bool has_balls) {
+    if (!ir_.settings.table.is_game) return;
     const Span& at = *ir_.settings.game_at;
     const auto has = [&](DeviceKind kind) {
         return std::ranges::count(table_.devices, kind, &Device::kind) > 0;
@@ -165,14 +101,6 @@ void PinballAssembly::check_game(bool has_balls) {
     if (!has(DeviceKind::drain))
         context_.reporter.error("pinball-without-drain", at, "pinball needs a drain",
                                 "say where balls are lost: drain NAME x,y x,y");
-}
-
-void PinballAssembly::check(bool has_balls) {
-    collect_devices();
-    for (const RuleIr& rule : ir_.rules)
-        resolve_rule(rule);
-    // A missing part may be one whose statement has an error.
-    if (!context_.reporter.has_errors()) check_game(has_balls);
 }
 
 void PinballAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones) {

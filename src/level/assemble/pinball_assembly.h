@@ -7,7 +7,7 @@
 #include "level/assemble/resolve_names.h"
 #include "level/scene/scene.h"
 
-/// Assembles a pinball table: groups its devices by name, and resolves the names in its rules.
+/// Assembles a pinball table: groups its devices by name.
 namespace carom {
 
 class PinballAssembly {
@@ -16,8 +16,16 @@ class PinballAssembly {
     PinballAssembly(const ResolvedNames& names, Context& context)
         : names_(names), context_(context), ir_(context.ir) {}
 
-    /// Reports errors in groups and rules. `has_balls`: whether a ball starts on the table.
+    /// Groups the devices, and reports errors in the groups.
+    void collect_devices();
+    /// Reports what a game of pinball lacks. `has_balls`: whether a ball starts on the table.
     void check(bool has_balls);
+
+    /// The group of devices with this name; if `may_be_edge`, the edges of that name become one
+    /// device. None: there is no such name, which is reported.
+    std::optional<std::uint32_t> group_named(const Word& name, bool may_be_edge);
+    DeviceKind kind_of(std::uint32_t group) const { return table_.groups[group].kind; }
+    const std::vector<Device>& devices() const { return table_.devices; }
 
     /// Sets Scene::table and World::flippers. `world_zones` has the index into World::zones for
     /// each of LevelIr::zones. Pre: checked without errors; the world has all capsules and zones.
@@ -25,12 +33,7 @@ class PinballAssembly {
 
   private:
     std::string name_of(const DeviceIr& device) const;
-    void collect_devices();
-    void collect_rules();
     void check_layers(const DeviceIr& ramp);
-    bool resolve_rule(const RuleIr& spec);
-    std::optional<std::uint32_t> group_named(const Word& name, bool may_be_edge);
-    void check_game(bool has_balls);
 
     const ResolvedNames& names_;
     Context& context_;

@@ -40,8 +40,26 @@ void check_pockets(const std::vector<StartingBall>& balls, Context& context) {
     }
 }
 
+// Only the rules of a level can give each player a cue ball.
+void check_cues(Context& context) {
+    const LevelIr& ir = context.ir;
+    const auto at = [](const CueIr& cue) { return cue.ball.span(); };
+    if (ir.settings.is_shots && ir.cues.empty() && !context.reporter.has_errors())
+        context.reporter.error("game-lacks-part", *ir.settings.game_at, "game shots needs a cue",
+                               "add a line such as: cue ball=cue power=0..10m/s");
+    if (!ir.settings.is_shots && ir.cues.size() > 1)
+        context.reporter.error("statement-twice", at(ir.cues[1]), "there is a cue already",
+                               "only game shots has a cue for each player");
+    for (std::size_t i = ir.settings.players; ir.settings.is_shots && i < ir.cues.size(); ++i)
+        context.reporter.error(
+            "cue-without-player", at(ir.cues[i]),
+            fmt::format("there are {} players, and this is cue {}", ir.settings.players, i + 1),
+            "write: game shots players=2, or take out the cue");
+}
+
 void check_game(Context& context) {
     const LevelIr& ir = context.ir;
+    check_cues(context);
     if (ir.settings.table.is_game && !ir.cues.empty()) {
         context.reporter.error("cue-in-pinball", ir.cues.front().ball.span(),
                                "game pinball has flippers and plungers, and no cue",
@@ -123,7 +141,8 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
     find_others(scene, context);
     for (const CueIr& cue : ir.cues) {
         if (const auto ball = ball_named(scene, cue.ball.text)) {
-            scene.pool.cue = {*ball, cue.least_power, cue.most_power};
+            scene.pool.cues.push_back({*ball, cue.least_power, cue.most_power});
+            scene.pool.cue = scene.pool.cues.front();
             continue;
         }
         std::vector<std::string_view> known;

@@ -61,12 +61,18 @@ class Resolver {
   private:
     void collect_rule_names() {
         for (const RuleIr& rule : ir_.rules) {
-            rule_names_.insert(rule.name.text);
-            for (const RuleIr::Need& need : rule.needs)
-                rule_names_.insert(need.name.text);
-            for (const RuleActionIr& action : rule.actions)
-                if (action.group) rule_names_.insert(action.group->text);
+            rule_names_.insert(rule.subject.text);
+            if (rule.other) rule_names_.insert(rule.other->text);
+            collect(rule.names);
         }
+        for (const TaskIr& task : ir_.tasks)
+            collect(task.names);
+        for (const GoalIr& goal : ir_.goals)
+            collect(goal.names);
+    }
+    void collect(const std::vector<RuleNameIr>& names) {
+        for (const RuleNameIr& name : names)
+            rule_names_.insert(name.word.text);
     }
 
     ResolvedBalls resolve_kind(const std::optional<Word>& name) {

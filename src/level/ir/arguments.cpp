@@ -43,7 +43,7 @@ class Reading {
 
     // Reports the first lone sign of "a = 1" or "W / 2", and not the words around it as well.
     bool check_spaces(const std::vector<Word>& words) {
-        if (statement().takes_lone_signs) return true;
+        if (statement().takes_lone_signs || statement().is_sentence) return true;
         for (const Word& word : words) {
             if (word.text.find_first_not_of("=+-*/^,") != std::string_view::npos) continue;
             const bool is_key = word.text == "=";
@@ -67,7 +67,7 @@ class Reading {
     }
 
     void read_word(const Word& word) {
-        if (word.text[0] == '"') {
+        if (word.text[0] == '"' || statement().is_sentence) {
             result_.plain.push_back(word);
             return;
         }

@@ -91,21 +91,46 @@ struct DeviceIr {
     DeviceDress dress{};
 };
 
-/// An action of a rule, and a rule, with unresolved names.
-struct RuleActionIr {
-    RuleAction action;
-    std::optional<Word> group;
-};
-struct RuleIr {
-    Word name;
-    Word when_word;
-    Rule::When when = Rule::When::hit;
-    struct Need {
-        Word name;
-        bool is_not = false;
+/// A name in a rule, and what it may denote.
+struct RuleNameIr {
+    enum class Role : std::uint8_t {
+        lights,  ///< devices that have lights
+        balls,   ///< a ball, a rack, a kind, or `ball`, `cue`, `opponent`
+        place    ///< a pocket or a zone
     };
-    std::vector<Need> needs;
-    std::vector<RuleActionIr> actions;
+    Word word;
+    Role role = Role::lights;
+};
+
+/// A rule with unresolved names. Where the rule has the index of a device group, of balls or of a
+/// place, it is an index into `names` until assembly replaces it.
+struct RuleIr {
+    Rule rule;
+    Word subject;
+    Word event;
+    std::optional<Word> other;
+    std::vector<RuleNameIr> names;
+    std::vector<Word> actions;  ///< the word of each of the rule's actions
+};
+
+/// A line of `task` or `goal`, like a rule without an event.
+struct TaskIr {
+    Word text;
+    RuleTask task;
+    std::vector<RuleNameIr> names;
+};
+struct GoalIr {
+    Word text;
+    LevelGoal goal;
+    std::vector<RuleNameIr> names;
+};
+
+/// A variable or a timer of the rules, and whether a rule reads it.
+struct RuleSymbolIr {
+    Word name;
+    bool is_timer = false;
+    std::uint32_t index = 0;  ///< into LevelIr::variables or timers
+    bool is_read = false;
 };
 
 /// The place of a rack. Its balls are among LevelIr::balls.
@@ -201,6 +226,9 @@ struct LevelSettings {
     std::uint32_t race = 0;  ///< of a game of pool
     double clock = 0.0;      ///< of a game of pool, s
     PoolRules rules;         ///< of a game of pool
+    std::uint32_t players = 1;
+    bool least_wins = false;  ///< of `game shots`
+    bool is_shots = false;
 };
 
 /// The meaning of a letter of a map.
@@ -229,6 +257,11 @@ struct LevelIr {
     std::vector<CueIr> cues;
     std::vector<DeviceIr> devices;
     std::vector<RuleIr> rules;
+    std::vector<TaskIr> tasks;
+    std::vector<GoalIr> goals;
+    std::vector<RuleVariable> variables;
+    std::vector<RuleTimer> timers;
+    std::map<std::string, RuleSymbolIr, std::less<>> rule_symbols;  ///< variables and timers
     std::vector<CollideIr> collides;
     std::vector<SpinNeed> spin_needs;
     std::optional<Span> needs_cloth;  ///< the first value that needs `use cloth`

@@ -81,6 +81,7 @@ struct Statement {
     std::vector<std::string_view> flags{};
     bool takes_any_key = false;     ///< let, part and place: the author chooses the keys
     bool takes_lone_signs = false;  ///< a sign may be a word of its own, such as a lone comma
+    bool is_sentence = false;       ///< every word is a plain word, also "a=b" and "x,y"
     bool is_unique = false;         ///< a second one is an error
     Settable settable = Settable::no;
     /// The action runs even if the arguments have errors, so that its declarations exist and their

@@ -42,7 +42,7 @@ const RackLayout* rack_layout(std::string_view statement) {
 
 std::span<const GameRow> game_rows() {
     using enum GameRow::Family;
-    static const std::array<GameRow, 9> all{{
+    static const std::array<GameRow, 10> all{{
         {.name = "sandbox"},
         {.name = "galton"},
         {.name = "eightball", .family = pool, .rack = rack_layout("rack eight")},
@@ -64,6 +64,7 @@ std::span<const GameRow> game_rows() {
          .rack = rack_layout("rack triangle"),
          .others = {"yellow", "green", "brown", "blue", "pink", "black"}},
         {.name = "pinball", .family = pinball},
+        {.name = "shots", .family = shots, .keys = {"players", "wins"}},
     }};
     return all;
 }

@@ -32,7 +32,12 @@ std::span<const RackLayout> rack_layouts();
 const RackLayout* rack_layout(std::string_view statement);
 
 struct GameRow {
-    enum class Family : std::uint8_t { none, pinball, pool };
+    enum class Family : std::uint8_t {
+        none,
+        pinball,
+        pool,  ///< a referee judges it
+        shots  ///< the level's own rules judge it (scene/rules.h)
+    };
 
     std::string_view name;  ///< its name in levels: "eightball"
     Family family = Family::none;

@@ -10,8 +10,8 @@
 #include "geometry/vec2.h"
 #include "physics/world/ids.h"
 
-/// The devices of a pinball table and the rules that its author has written, as plain data; the
-/// game executes them (game/pinball/pinball.h).
+/// The devices of a pinball table, as plain data; the game moves them (game/pinball/pinball.h). Its
+/// rules are in scene/rules.h.
 namespace carom {
 
 enum class DeviceKind : std::uint8_t {
@@ -103,53 +103,12 @@ enum class Button : std::uint8_t {
 };
 inline constexpr int button_count = 6;
 
-struct RuleAction {
-    enum class What : std::uint8_t {
-        score,       ///< adds `amount`
-        bonus,       ///< adds `amount` to the bonus, or sets it
-        multiplier,  ///< adds `amount` to the multiplier of the bonus, or sets it
-        multiball,   ///< `amount` balls in play
-        save,        ///< drained balls return to play for `seconds`
-        extraball,   ///< the player gets another ball
-        reset,       ///< lights of `group` off, its drop targets up
-        light,       ///< lights of `group` on
-        unlight,     ///< lights of `group` off
-        advance,     ///< the first unlit light of `group` on
-        message      ///< shows `text`
-    };
-    What what = What::score;
-    std::int64_t amount = 0;
-    bool adds = false;     ///< bonus, multiplier
-    double seconds = 0.0;  ///< save: how long; light: how long, or 0 until it is switched off
-    std::uint32_t group = 0;
-    std::string text;
-};
-
-/// `on NAME hit|all|enter [while|unless NAME|multiball ...] action, action ...`
-struct Rule {
-    enum class When : std::uint8_t {
-        hit,    ///< a ball hits one of the group
-        all,    ///< the whole group is lit, for the first time since its reset
-        enter,  ///< a ball enters one of the group's zones
-    };
-    std::uint32_t group = 0;
-    When when = When::hit;
-    struct Need {
-        std::optional<std::uint32_t>
-            group;            ///< this whole group must be lit; none: multiball must be on
-        bool is_not = false;  ///< `unless`: the condition is negated
-    };
-    std::vector<Need> needs;
-    std::vector<RuleAction> actions;
-};
-
 struct PinballTable {
     std::vector<Device> devices;
     std::vector<DeviceGroup> groups;
     std::vector<std::int32_t>
         device_of_capsule;                ///< by index of the capsule at the start; -1: no device
     std::vector<Button> flipper_buttons;  ///< by World::flippers
-    std::vector<Rule> rules;
 
     bool is_game = false;     ///< the level says `game pinball`: balls are counted and rules apply
     std::uint32_t balls = 3;  ///< of a game

@@ -47,7 +47,8 @@ struct BaulkD {
 };
 
 struct PoolTable {
-    std::optional<Cue> cue;
+    std::optional<Cue> cue;  ///< the first of `cues`
+    std::vector<Cue> cues;   ///< of `game shots`, one for each player in turn; else one at most
     std::vector<Rack> racks;
     /// The object balls of the game that are not racked: GameRow::others, in that order.
     std::vector<BallId> others{};

@@ -11,6 +11,7 @@
 #include "level/scene/pinball_table.h"
 #include "level/scene/pool_table.h"
 #include "level/scene/quantities.h"
+#include "level/scene/rules.h"
 #include "physics/solver.h"
 #include "physics/world/world.h"
 
@@ -117,6 +118,7 @@ struct Scene {
     PoolTable pool;
     PinballTable table;
     Dress dress;
+    RuleBook rules;
 };
 
 }  // namespace carom

@@ -56,6 +56,20 @@ void set_pool_rules(const Arguments& arguments, Context& context) {
         rules.stalemate = static_cast<int>(arguments.count("stalemate"));
 }
 
+void set_players(const Arguments& arguments, bool is_shots, Context& context) {
+    constexpr std::uint32_t most_players = 4;
+    LevelSettings& settings = context.ir.settings;
+    if (arguments.has("players")) settings.players = arguments.count("players");
+    if (settings.players > most_players) {
+        context.reporter.error("too-many-players", arguments.span_of("players"),
+                               fmt::format("{} players are too many", settings.players),
+                               "write players=1 to players=4");
+        settings.players = most_players;
+    }
+    settings.is_shots = is_shots;
+    settings.least_wins = is_special(arguments, "wins", "least", "most", context);
+}
+
 void set_game(const Arguments& arguments, const Frame&, Context& context) {
     using enum GameRow::Family;
     const Word& word = arguments.plain.front();
@@ -73,14 +87,16 @@ void set_game(const Arguments& arguments, const Frame&, Context& context) {
         const bool is_of_pool = std::ranges::count(pool_keys, key) > 0;
         const std::string owners = owners_of(key);
         if (game && std::ranges::count(game->keys, key) > 0) continue;
-        if (owners.empty() && is_of_pool == (family == pool)) continue;
+        if (family == pinball && key == "players") continue;
+        if (owners.empty() && family != shots && is_of_pool == (family == pool)) continue;
         context.reporter.error("game-key-of-other-game", arguments.span_of(key),
                                fmt::format("game {} has no {}=", word.text, key),
-                               !owners.empty()  ? fmt::format("{}= belongs to {}", key, owners)
-                               : family == pool ? "a game of pool has race=, clock=, stalemate=, "
-                                                  "breaks= and first="
-                                                : "race=, clock=, stalemate=, breaks= and first= "
-                                                  "belong to games of pool");
+                               !owners.empty()   ? fmt::format("{}= belongs to {}", key, owners)
+                               : family == shots ? "game shots has players= and wins="
+                               : family == pool  ? "a game of pool has race=, clock=, stalemate=, "
+                                                   "breaks= and first="
+                                                 : "race=, clock=, stalemate=, breaks= and first= "
+                                                   "belong to games of pool");
         return;
     }
     if (!game) {
@@ -97,6 +113,7 @@ void set_game(const Arguments& arguments, const Frame&, Context& context) {
     if (arguments.has("race")) context.ir.settings.race = arguments.count("race");
     context.ir.settings.clock = arguments.number_or("clock", 0.0);
     set_pool_rules(arguments, context);
+    set_players(arguments, family == shots, context);
 }
 
 }  // namespace
@@ -108,7 +125,7 @@ std::vector<Statement> game_statements() {
         "game " + game_names("|") +
         " [race=N] [clock=TIME] [stalemate=N] [breaks=turns|winner] [first=player1|toss] "
         "[fouls=N] [nine=wins|spotted] [points=N] [balls=N] [save=TIME] [tilt=N] [bonus=N] "
-        "[highscores=N]";
+        "[highscores=N] [players=N] [wins=most|least]";
     return {
         {.name = "game",
          .usage = game_usage,
@@ -128,16 +145,50 @@ std::vector<Statement> game_statements() {
                   {"save", scalar, Measure::time, not_negative},
                   {"tilt", scalar, Measure::whole, not_negative},
                   {"bonus", scalar, Measure::whole, not_negative},
-                  {"highscores", scalar, Measure::whole, not_negative}},
+                  {"highscores", scalar, Measure::whole, not_negative},
+                  {"players", scalar, Measure::whole, positive},
+                  {"wins", KeyShape::word}},
          .is_unique = true,
          .settable = Settable::whole},
+        {.name = "var",
+         .usage = "var NAME [of game|player|turn|shot] [start=N]",
+         .action = add_variable,
+         .place = Place::top,
+         .plain_least = 1,
+         .plain_most = 3,
+         .keys = {{"start", scalar, Measure::whole, any}},
+         .settable = Settable::by_name},
+        {.name = "timer",
+         .usage = "timer NAME TIME",
+         .action = add_timer,
+         .place = Place::top,
+         .plain_least = 2,
+         .plain_most = 2,
+         .settable = Settable::by_name},
         {.name = "on",
-         .usage = "on NAME hit|all|enter [while|unless NAME|multiball ...] ACTION [VALUE ...], ...",
+         .usage = "on NAME EVENT [NAME] [once] [if|while|unless CONDITION [and CONDITION ...] ...] "
+                  "ACTION [VALUE ...], ...",
          .action = add_rule,
          .place = Place::top,
          .plain_least = 3,
          .plain_most = many,
-         .takes_lone_signs = true},
+         .is_sentence = true},
+        {.name = "task",
+         .usage = "task \"TEXT\" [if|unless CONDITION [and CONDITION ...] ...]",
+         .action = add_task,
+         .place = Place::top,
+         .plain_least = 1,
+         .plain_most = many,
+         .is_sentence = true},
+        {.name = "goal",
+         .usage = "goal \"TEXT\" [within N [N [N]] shots|seconds] if|unless CONDITION [and "
+                  "CONDITION ...] ...",
+         .action = add_goal,
+         .place = Place::top,
+         .plain_least = 3,
+         .plain_most = many,
+         .is_sentence = true,
+         .is_unique = true},
     };
 }
 

@@ -115,8 +115,7 @@ std::vector<Statement> pool_statements() {
          .action = add_cue,
          .place = Place::top,
          .keys = {{"ball", word, Measure::number, any, true},
-                  {"power", range, Measure::speed, not_negative, true}},
-         .is_unique = true},
+                  {"power", range, Measure::speed, not_negative, true}}},
     };
     statements.insert(statements.end(), others.begin(), others.end());
     return statements;

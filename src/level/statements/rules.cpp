@@ -2,72 +2,68 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "level/ir/numbers.h"
+#include "level/statements/rule_actions.h"
+#include "level/statements/rule_words.h"
 #include "level/text/spelling.h"
 
 namespace carom {
 namespace {
 
-using What = RuleAction::What;
-
-// The argument of an action.
-enum class Takes { points, sum, count, time, name, name_and_time, text, nothing };
-
-struct ActionShape {
+struct EventWord {
     std::string_view name;
-    What what;
-    Takes takes;
-    std::string_view sample;
+    RuleEvent event;             // refined when the subject is known (assemble/rule_assembly.h)
+    std::string_view subject{};  // the only subject that has this event; empty: a name of the level
+    bool takes_other = false;    // a second name may follow
 };
+constexpr std::array event_words{EventWord{"hit", RuleEvent::hit, {}, true},
+                                 EventWord{"all", RuleEvent::all},
+                                 EventWord{"enter", RuleEvent::enter, {}, true},
+                                 EventWord{"leave", RuleEvent::place_left, {}, true},
+                                 EventWord{"rail", RuleEvent::rail, {}, true},
+                                 EventWord{"pocketed", RuleEvent::pocketed, {}, true},
+                                 EventWord{"begins", RuleEvent::game_begins, "game"},
+                                 EventWord{"begins", RuleEvent::turn_begins, "turn"},
+                                 EventWord{"begins", RuleEvent::shot_begins, "shot"},
+                                 EventWord{"ends", RuleEvent::shot_ends, "shot"},
+                                 EventWord{"judged", RuleEvent::shot_judged, "shot"},
+                                 EventWord{"launch", RuleEvent::launch, "ball"},
+                                 EventWord{"drain", RuleEvent::drain, "ball"}};
 
-constexpr ActionShape shapes[] = {
-    {"score", What::score, Takes::points, "score 100"},
-    {"bonus", What::bonus, Takes::sum, "bonus +1"},
-    {"multiplier", What::multiplier, Takes::sum, "multiplier +1"},
-    {"multiball", What::multiball, Takes::count, "multiball 2"},
-    {"save", What::save, Takes::time, "save 10s"},
-    {"extraball", What::extraball, Takes::nothing, "extraball"},
-    {"reset", What::reset, Takes::name, "reset NAME"},
-    {"light", What::light, Takes::name_and_time, "light NAME"},
-    {"unlight", What::unlight, Takes::name, "unlight NAME"},
-    {"advance", What::advance, Takes::name, "advance NAME"},
-    {"message", What::message, Takes::text, "message \"TEXT\""},
-};
+// Words that stand for balls, so that no action can begin with them.
+bool is_ball_word(std::string_view word) {
+    return word == "ball" || word == "cue" || word == "opponent";
+}
 
 class RuleReader {
   public:
     RuleReader(const Arguments& arguments, const Scope& scope, Context& context)
-        : arguments_(arguments), scope_(scope), context_(context) {}
+        : arguments_(arguments), scope_(scope), context_(context), words_(arguments.plain) {}
 
     std::optional<RuleIr> read() {
-        const std::vector<Word>& words = arguments_.plain;
         RuleIr rule;
-        rule.name = words[0];
-        rule.when_word = words[1];
-        if (!read_when(rule)) return std::nullopt;
+        RuleWords reader(scope_, context_, rule.names);
+        rule.subject = words_[0];
+        rule.event = words_[1];
         std::size_t next = 2;
-        for (; words[next].text == "while" || words[next].text == "unless"; next += 2) {
-            const Word& word = words[next];
-            if (words.size() < next + 3)
-                return refuse("rule-incomplete", word,
-                              fmt::format("{} what, and what then?", word.text));
-            rule.needs.push_back({words[next + 1], word.text == "unless"});
+        if (!read_event(rule, next)) return std::nullopt;
+        if (next < words_.size() && words_[next].text == "once") {
+            rule.rule.once = true;
+            ++next;
         }
-        std::vector<Word> action;
-        for (; next < words.size(); ++next) {
-            Word word = words[next];
-            const bool ends = word.text.back() == ',' && word.text.front() != '"';
-            if (ends) word = word.part(0, word.text.size() - 1);
-            if (!word.text.empty()) action.push_back(word);
-            if (!ends && next + 1 < words.size()) continue;
-            if (action.empty())
-                return refuse("action-missing", words[next], "an action is missing here");
-            if (!read_action(action, rule)) return std::nullopt;
-            action.clear();
-            if (ends && next + 1 == words.size())
-                return refuse("action-missing", words[next],
-                              "an action is missing behind the comma");
-        }
+        const std::size_t conditions = next;
+        auto needs = read_needs(reader, next);
+        if (!needs) return std::nullopt;
+        rule.rule.needs = std::move(*needs);
+        if (next == words_.size())
+            return refuse("rule-incomplete", words_[conditions < next ? conditions : next - 1],
+                          conditions < next
+                              ? fmt::format("{} what, and what then?", words_[conditions].text)
+                              : std::string("what happens then?"));
+        if (!read_actions(reader, next, rule)) return std::nullopt;
         return rule;
     }
 
@@ -78,113 +74,233 @@ class RuleReader {
         return std::nullopt;
     }
 
-    bool read_when(RuleIr& rule) {
-        const Word& word = rule.when_word;
-        if (word.text == "hit")
-            rule.when = Rule::When::hit;
-        else if (word.text == "all")
-            rule.when = Rule::When::all;
-        else if (word.text == "enter")
-            rule.when = Rule::When::enter;
-        else
-            context_.reporter.error(
-                "unknown-event", word.span(),
-                fmt::format("there is no '{}' to wait for", word.text),
-                did_you_mean(word.text, {"hit", "all", "enter"}, "write hit, all or enter"));
-        return word.text == "hit" || word.text == "all" || word.text == "enter";
+    std::optional<std::vector<RuleClause>> read_needs(RuleWords& reader, std::size_t& next) {
+        const auto is_lead = [](const Word& word) {
+            return word.text == "while" || word.text == "unless" || word.text == "if";
+        };
+        if (next < words_.size() && is_lead(words_[next]) && words_.size() < next + 3) {
+            const Word& word = words_[next];
+            refuse("rule-incomplete", word, fmt::format("{} what, and what then?", word.text));
+            return std::nullopt;
+        }
+        return reader.clauses(words_, next);
     }
 
-    bool read_action(const std::vector<Word>& words, RuleIr& rule) {
-        const ActionShape* shape = row_named(shapes, words[0].text);
-        if (!shape) {
-            context_.reporter.error(
-                "unknown-action", words[0].span(),
-                fmt::format("there is no action '{}'", words[0].text),
-                did_you_mean(words[0].text, names_of(shapes),
-                             fmt::format("there are: {}", fmt::join(names_of(shapes), " "))));
-            return false;
+    bool read_event(RuleIr& rule, std::size_t& next) {
+        const Word& word = rule.event;
+        if (const RuleSymbolIr* timer = timer_named(rule.subject.text)) {
+            if (word.text != "ends") return refuse_event(word, {"ends"});
+            rule.rule.event = RuleEvent::timer_ends;
+            rule.rule.subject = timer->index;
+            return true;
         }
-        const std::size_t wanted = shape->takes == Takes::nothing ? 1 : 2;
-        const bool has_time = shape->takes == Takes::name_and_time && words.size() == 3;
-        if (words.size() != wanted && !has_time) {
-            const Word& at = words.size() > wanted ? words[wanted] : words[0];
-            context_.reporter.error(
-                "action-malformed", at.span(),
-                words.size() > wanted ? fmt::format("'{}' is not expected here", at.text)
-                                      : fmt::format("{} is not complete", shape->name),
-                fmt::format("write it as: {}, with a comma before the next", shape->sample));
-            return false;
+        std::vector<std::string_view> known;
+        const bool is_moment = rule.subject.text == "game" || rule.subject.text == "turn" ||
+                               rule.subject.text == "shot";
+        for (const EventWord& row : event_words) {
+            if (is_moment ? row.subject != rule.subject.text
+                          : !row.subject.empty() && row.subject != rule.subject.text)
+                continue;
+            known.push_back(row.name);
+            if (row.name != word.text) continue;
+            rule.rule.event = row.event;
+            if (row.takes_other && has_other(next)) rule.other = words_[next++];
+            return true;
         }
-        RuleActionIr spec;
-        spec.action.what = shape->what;
-        if (wanted == 2 && !read_value(*shape, words[1], spec)) return false;
-        if (has_time && !read_time(*shape, words[2], spec.action)) return false;
-        rule.actions.push_back(std::move(spec));
-        return true;
+        return refuse_event(word, known);
     }
 
-    bool read_value(const ActionShape& shape, const Word& word, RuleActionIr& spec) {
-        switch (shape.takes) {
-            case Takes::points:
-            case Takes::sum:
-                spec.action.adds = word.text.front() == '+';
-                return read_amount(shape, word, Bound::any, spec.action);
-            case Takes::count:
-                return read_amount(shape, word, Bound::positive, spec.action);
-            case Takes::time:
-                return read_time(shape, word, spec.action);
-            case Takes::name:
-            case Takes::name_and_time:
-                spec.group = word;
-                return true;
-            default:
-                break;
-        }
-        if (word.text.size() < 2 || word.text.front() != '"') {
-            context_.reporter.error("message-without-quotes", word.span(),
-                                    "a message stands in quotes",
-                                    fmt::format("write it as: {}", shape.sample));
-            return false;
-        }
-        spec.action.text = std::string(word.text.substr(1, word.text.size() - 2));
-        return true;
+    bool refuse_event(const Word& word, const std::vector<std::string_view>& known) {
+        context_.reporter.error(
+            "unknown-event", word.span(), fmt::format("there is no '{}' to wait for", word.text),
+            did_you_mean(word.text, known, fmt::format("write {}", fmt::join(known, ", "))));
+        return false;
     }
 
-    bool read_time(const ActionShape& shape, const Word& word, RuleAction& action) {
-        const auto time = read_number(word, {shape.name, " "}, Measure::time, Bound::not_negative,
-                                      scope_, context_);
-        action.seconds = time.value_or(0.0);
-        return time.has_value();
+    const RuleSymbolIr* timer_named(std::string_view name) const {
+        const auto found = context_.ir.rule_symbols.find(name);
+        if (found == context_.ir.rule_symbols.end() || !found->second.is_timer) return nullptr;
+        return &found->second;
     }
 
-    bool read_amount(const ActionShape& shape, const Word& word, Bound bound, RuleAction& action) {
-        constexpr double most = 1e12;
-        const auto amount =
-            read_number(word, {shape.name, " "}, Measure::whole, bound, scope_, context_);
-        if (!amount) return false;
-        const double largest = shape.what == What::multiball    ? 8.0
-                               : shape.what == What::multiplier ? 100.0
-                                                                : most;
-        if (*amount > largest || *amount < -largest) {
-            context_.reporter.error("action-value-too-large", word.span(),
-                                    fmt::format("{} goes up to {:.0f}", shape.name, largest),
-                                    fmt::format("write a smaller number, as in: {}", shape.sample));
-            return false;
+    // Whether words_[next] is a second name, and not the beginning of an action: then what comes
+    // after it begins one, or a condition.
+    bool has_other(std::size_t next) const {
+        if (next + 1 >= words_.size()) return false;
+        const std::string_view word = words_[next].text;
+        const auto is_lead = [](std::string_view text) {
+            return text == "once" || text == "if" || text == "while" || text == "unless";
+        };
+        if (is_lead(word)) return false;
+        if (is_ball_word(word)) return true;
+        if (begins_action(word, context_)) return false;
+        std::string_view after = words_[next + 1].text;
+        if (after.ends_with(',')) after.remove_suffix(1);
+        return is_lead(after) || begins_action(after, context_);
+    }
+
+    // The actions, separated by commas, from words_[next] on.
+    bool read_actions(RuleWords& reader, std::size_t next, RuleIr& rule) {
+        std::vector<Word> action;
+        for (; next < words_.size(); ++next) {
+            Word word = words_[next];
+            const bool ends = word.text.back() == ',' && word.text.front() != '"';
+            if (ends) word = word.part(0, word.text.size() - 1);
+            if (!word.text.empty()) action.push_back(word);
+            if (!ends && next + 1 < words_.size()) continue;
+            if (action.empty()) {
+                refuse("action-missing", words_[next], "an action is missing here");
+                return false;
+            }
+            if (!read_rule_action(action, scope_, context_, reader, rule)) return false;
+            action.clear();
+            if (ends && next + 1 == words_.size()) {
+                refuse("action-missing", words_[next], "an action is missing behind the comma");
+                return false;
+            }
         }
-        action.amount = static_cast<std::int64_t>(*amount);
         return true;
     }
 
     const Arguments& arguments_;
     const Scope& scope_;
     Context& context_;
+    const std::vector<Word>& words_;
 };
+
+// Adds a name to the variables and timers. False: it has another meaning, which is reported.
+bool declare(const Word& name, bool is_timer, Context& context) {
+    LevelIr& ir = context.ir;
+    const auto refuse = [&](std::string message) {
+        context.reporter.error("rule-name-taken", name.span(), std::move(message),
+                               "choose another name");
+        return false;
+    };
+    if (!is_identifier(name.text)) {
+        context.reporter.error("not-a-name", name.span(),
+                               fmt::format("'{}' is not a name", name.text),
+                               "a name has letters, digits and '_', and begins with a letter");
+        return false;
+    }
+    constexpr std::array<std::string_view, 13> words{"if",   "while", "unless", "and", "once",
+                                                     "game", "shot",  "count",  "lit", "min",
+                                                     "max",  "of",    "seconds"};
+    if (rule_quantity_named(name.text))
+        return refuse(fmt::format("'{}' is a number that the game keeps itself", name.text));
+    if (begins_action(name.text, context) && !ir.rule_symbols.contains(name.text))
+        return refuse(fmt::format("'{}' is an action", name.text));
+    if (std::ranges::count(words, name.text) > 0 || is_ball_word(name.text))
+        return refuse(fmt::format("'{}' is a word of the rules", name.text));
+    const auto index =
+        static_cast<std::uint32_t>(is_timer ? ir.timers.size() : ir.variables.size());
+    const auto [found, is_new] =
+        ir.rule_symbols.emplace(std::string(name.text), RuleSymbolIr{name, is_timer, index});
+    if (is_new) return true;
+    return refuse(
+        fmt::format("the name '{}' is taken, in line {}", name.text, found->second.name.line));
+}
+
+std::optional<RuleScope> scope_named(std::string_view name) {
+    using enum RuleScope;
+    constexpr std::array names{
+        std::pair(std::string_view("game"), game), std::pair(std::string_view("player"), player),
+        std::pair(std::string_view("turn"), turn), std::pair(std::string_view("shot"), shot)};
+    for (const auto& [known, scope] : names)
+        if (known == name) return scope;
+    return std::nullopt;
+}
 
 }  // namespace
 
 void add_rule(const Arguments& arguments, const Frame& frame, Context& context) {
     auto rule = RuleReader(arguments, *frame.scope, context).read();
     if (rule) context.ir.rules.push_back(std::move(*rule));
+}
+
+void add_variable(const Arguments& arguments, const Frame&, Context& context) {
+    const std::vector<Word>& words = arguments.plain;
+    RuleVariable variable;
+    variable.name = std::string(words[0].text);
+    if (words.size() > 1) {
+        const auto scope =
+            words.size() == 3 && words[1].text == "of" ? scope_named(words[2].text) : std::nullopt;
+        if (!scope) {
+            const Word& at = words.back();
+            context.reporter.error(
+                "unknown-scope", at.span(), fmt::format("'{}' is not expected here", at.text),
+                did_you_mean(at.text, {"game", "player", "turn", "shot"},
+                             fmt::format("write it as: var {} of shot (or game, player, turn)",
+                                         words[0].text)));
+            return;
+        }
+        variable.scope = *scope;
+    }
+    variable.start =
+        static_cast<std::int64_t>(std::clamp(arguments.number_or("start", 0.0), -1e15, 1e15));
+    if (declare(words[0], false, context)) context.ir.variables.push_back(std::move(variable));
+}
+
+void add_timer(const Arguments& arguments, const Frame& frame, Context& context) {
+    const Word& word = arguments.plain[1];
+    const auto time =
+        read_number(word, {"timer", " "}, Measure::time, Bound::positive, *frame.scope, context);
+    if (!declare(arguments.plain[0], true, context)) return;
+    context.ir.timers.push_back({std::string(arguments.plain[0].text), time.value_or(1.0)});
+}
+
+void add_task(const Arguments& arguments, const Frame& frame, Context& context) {
+    TaskIr task;
+    RuleWords reader(*frame.scope, context, task.names);
+    task.text = arguments.plain[0];
+    auto text = reader.text(task.text, "task \"SHOOT THE RAMP\" if mode=1");
+    if (!text) return;
+    std::size_t next = 1;
+    auto needs = reader.clauses(arguments.plain, next);
+    if (!needs) return;
+    if (next < arguments.plain.size()) {
+        const Word& at = arguments.plain[next];
+        context.reporter.error("task-malformed", at.span(),
+                               fmt::format("'{}' is not expected here", at.text),
+                               fmt::format("write it as: {}", arguments.statement->usage));
+        return;
+    }
+    task.task = {std::move(*text), std::move(*needs)};
+    context.ir.tasks.push_back(std::move(task));
+}
+
+void add_goal(const Arguments& arguments, const Frame& frame, Context& context) {
+    const std::vector<Word>& words = arguments.plain;
+    GoalIr goal;
+    RuleWords reader(*frame.scope, context, goal.names);
+    goal.text = words[0];
+    const auto refuse = [&](const Word& at) {
+        context.reporter.error("goal-malformed", at.span(),
+                               fmt::format("'{}' is not expected here", at.text),
+                               fmt::format("write it as: {}", arguments.statement->usage));
+    };
+    if (words[0].text.size() < 2 || words[0].text.front() != '"') return refuse(words[0]);
+    goal.goal.text = std::string(words[0].text.substr(1, words[0].text.size() - 2));
+    std::size_t next = 1;
+    if (next < words.size() && words[next].text == "within") {
+        ++next;
+        for (; next < words.size() && words[next].text != "shots" && words[next].text != "seconds";
+             ++next) {
+            const auto limit = read_number(words[next], {"within", " "}, Measure::whole,
+                                           Bound::positive, *frame.scope, context);
+            if (!limit) return;
+            std::vector<double>& limits = goal.goal.limits;
+            if (limits.size() == 3 || (!limits.empty() && *limit <= limits.back()))
+                return refuse(words[next]);
+            limits.push_back(*limit);
+        }
+        if (next == words.size() || goal.goal.limits.empty()) return refuse(words[next - 1]);
+        goal.goal.counts_seconds = words[next++].text == "seconds";
+    }
+    auto needs = reader.clauses(words, next);
+    if (!needs) return;
+    if (next < words.size() || needs->empty()) return refuse(words.back());
+    goal.goal.needs = std::move(*needs);
+    context.ir.goals.push_back(std::move(goal));
 }
 
 }  // namespace carom

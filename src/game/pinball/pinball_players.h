@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "game/pinball/pinball_table.h"
+
+/// Players who take turns at a table, a ball each. Each has a score, extra balls and lights of its
+/// own, and variables of the rules; the table itself is the same for all, and its drop targets rise
+/// between turns.
+namespace carom {
+
+/// At the start of a game: the first player's turn.
+void begin_players(const Scene& scene, PinballState& state);
+
+/// Passes the turn to the player of the next ball. False: all balls are played.
+bool pass_to_next_player(Pinball game);
+
+/// The scores of all players.
+std::vector<std::int64_t> scores_of(const PinballState& state);
+std::int64_t best_score(const PinballState& state);
+
+}  // namespace carom

@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include "game/rules/rules.h"
+
+namespace carom {
+
+std::string text_of(const RuleBook& book, const RuleState& state, const RuleHost& host,
+                    const RuleText& text) {
+    std::string written;
+    for (const auto& piece : text.pieces) {
+        if (const auto* words = std::get_if<std::string>(&piece)) {
+            written += *words;
+        } else if (const auto* value = std::get_if<RuleValue>(&piece)) {
+            written += fmt::format("{}", value_of(book, state, host, *value));
+        } else {
+            const std::int64_t left =
+                seconds_left(state, host, std::get<RuleText::Clock>(piece).timer);
+            written += fmt::format("{}:{:02}", left / 60, left % 60);
+        }
+    }
+    return written;
+}
+
+std::string task_text(const RuleBook& book, const RuleState& state, const RuleHost& host) {
+    for (const RuleTask& task : book.tasks)
+        if (hold(book, state, host, task.needs)) return text_of(book, state, host, task.text);
+    return {};
+}
+
+}  // namespace carom

@@ -1,0 +1,281 @@
+#include "level/assemble/rule_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "level/statements/rule_actions.h"
+
+namespace carom {
+namespace {
+
+// Why this kind of device never gives this event; none: it does.
+std::optional<std::string> never_gives(DeviceKind kind, RuleEvent event) {
+    const DeviceTraits& device = traits(kind);
+    if (event == RuleEvent::all) {
+        if (device.completes_group) return std::nullopt;
+        return "only rollovers, targets and lamps light up one by one";
+    }
+    if (kind == DeviceKind::lamp) return "a lamp only shines: wait for what lights it";
+    if (event == RuleEvent::enter)
+        return device.is_zone ? std::nullopt
+                              : std::optional<std::string>("balls hit it: write hit");
+    if (event != RuleEvent::hit) return "a part of a pinball table gives hit, enter and all";
+    if (!device.is_zone || kind == DeviceKind::spinner) return std::nullopt;
+    return "balls enter it: write enter";
+}
+
+// Replaces the indices into RuleIr::names by those of what the names denote.
+void renumber(RuleValue& value, const std::vector<std::uint32_t>& meanings) {
+    for (RuleStep& step : value)
+        if (step.what == RuleStep::What::count || step.what == RuleStep::What::lit)
+            step.number = meanings[static_cast<std::size_t>(step.number)];
+}
+
+void renumber(RuleText& text, const std::vector<std::uint32_t>& meanings) {
+    for (auto& piece : text.pieces)
+        if (auto* value = std::get_if<RuleValue>(&piece)) renumber(*value, meanings);
+}
+
+void renumber(std::vector<RuleClause>& needs, const std::vector<std::uint32_t>& meanings) {
+    for (RuleClause& clause : needs)
+        for (RuleCondition& condition : clause.all) {
+            if (condition.what == RuleCondition::What::lit)
+                condition.index = meanings[condition.index];
+            renumber(condition.left, meanings);
+            renumber(condition.right, meanings);
+        }
+}
+
+void renumber(RuleAction& action, const std::vector<std::uint32_t>& meanings) {
+    using enum RuleAction::What;
+    renumber(action.value, meanings);
+    renumber(action.text, meanings);
+    if (action.what == light || action.what == unlight || action.what == reset ||
+        action.what == advance || action.what == respot)
+        action.index = meanings[action.index];
+    if (action.place >= 0)
+        action.place = static_cast<std::int32_t>(meanings[static_cast<std::size_t>(action.place)]);
+}
+
+}  // namespace
+
+std::nullopt_t RuleAssembly::refuse(FaultCode code, const Word& at, std::string message,
+                                    std::string remedy) {
+    context_.reporter.error(code, at.span(), std::move(message), std::move(remedy));
+    return std::nullopt;
+}
+
+bool RuleAssembly::resolve_moment(const RuleIr& spec) {
+    using enum RuleEvent;
+    const RuleEvent event = spec.rule.event;
+    const bool is_of_shots = event == shot_begins || event == shot_ends || event == shot_judged;
+    const bool is_of_pinball = event == launch || event == drain;
+    if (is_of_shots && is_pinball())
+        refuse("event-of-other-game", spec.subject, "pinball has no shots",
+               "wait for: ball launch, ball drain, turn begins");
+    else if (is_of_pinball && !is_pinball())
+        refuse("event-of-other-game", spec.event, "only pinball launches and drains balls",
+               "wait for: shot begins, shot ends, ball pocketed");
+    else
+        return true;
+    return false;
+}
+
+bool RuleAssembly::resolve_device_event(RuleIr& spec) {
+    const auto group = table_.group_named(spec.subject, true);
+    if (!group) return false;
+    spec.rule.subject = *group;
+    const DeviceKind kind = table_.kind_of(*group);
+    if (const auto why = never_gives(kind, spec.rule.event)) {
+        refuse("event-never-happens", spec.event,
+               fmt::format("'{}' is a {}, which never gives '{}'", spec.subject.text,
+                           traits(kind).name, spec.event.text),
+               *why);
+        return false;
+    }
+    if (!spec.other) return true;
+    refuse("event-of-other-game", *spec.other, "at pinball every ball counts alike",
+           fmt::format("write it as: on {} {}", spec.subject.text, spec.event.text));
+    return false;
+}
+
+// Two balls meet, or a ball meets an edge: on BALLS hit BALLS|EDGE, on EDGE hit [BALLS], on BALLS
+// rail [EDGE].
+bool RuleAssembly::resolve_meeting(RuleIr& spec) {
+    Rule& rule = spec.rule;
+    const auto balls = find_balls(spec.subject.text);
+    if (!balls) {
+        const auto edge = place_named(spec.subject, true);
+        if (!edge) return false;
+        const auto other = spec.other ? balls_named(*spec.other) : std::nullopt;
+        if (spec.other && !other) return false;
+        rule.event = RuleEvent::edge_hit;
+        rule.subject = *edge;
+        rule.other = other.value_or(no_subject);
+        return true;
+    }
+    if (!spec.other && rule.event == RuleEvent::hit) {
+        refuse("event-incomplete", spec.event, fmt::format("'{}' hits what?", spec.subject.text),
+               "write hit and the name of balls, or ball for any; rail for a cushion");
+        return false;
+    }
+    rule.subject = *balls;
+    if (!spec.other) return true;
+    const auto others = rule.event == RuleEvent::hit ? find_balls(spec.other->text)
+                                                     : std::optional<std::uint32_t>{};
+    if (others) {
+        rule.event = RuleEvent::balls_meet;
+        rule.other = *others;
+        return true;
+    }
+    const auto edge = place_named(*spec.other, true);
+    if (!edge) return false;
+    rule.event = RuleEvent::edge_hit;
+    rule.subject = *edge;
+    rule.other = *balls;
+    return true;
+}
+
+// on PLACE enter|leave [BALLS], on BALLS enter|leave PLACE, on BALLS pocketed [PLACE].
+bool RuleAssembly::resolve_visit(RuleIr& spec) {
+    Rule& rule = spec.rule;
+    const bool is_pocketed = rule.event == RuleEvent::pocketed;
+    if (rule.event == RuleEvent::enter) rule.event = RuleEvent::place_entered;
+    const auto balls = is_pocketed ? balls_named(spec.subject) : find_balls(spec.subject.text);
+    if (is_pocketed && !balls) return false;
+    if (balls && !is_pocketed && !spec.other) {
+        refuse("event-incomplete", spec.event,
+               fmt::format("'{}' enters or leaves what?", spec.subject.text),
+               "write the name of a zone behind it");
+        return false;
+    }
+    std::optional<std::uint32_t> place;
+    std::optional<std::uint32_t> who = balls;
+    if (balls) {
+        if (spec.other && !(place = place_named(*spec.other, false))) return false;
+    } else {
+        if (!(place = place_named(spec.subject, false))) return false;
+        if (spec.other && !(who = balls_named(*spec.other))) return false;
+    }
+    rule.subject = is_pocketed ? *balls : *place;
+    rule.other = is_pocketed ? place.value_or(no_subject) : who.value_or(no_subject);
+    return true;
+}
+
+bool RuleAssembly::resolve_ball_event(RuleIr& spec) {
+    using enum RuleEvent;
+    if (spec.rule.event == all) {
+        refuse("event-of-other-game", spec.event, "only parts of a pinball table light up",
+               "count with a variable instead");
+        return false;
+    }
+    if (spec.rule.event == hit || spec.rule.event == rail) return resolve_meeting(spec);
+    return resolve_visit(spec);
+}
+
+bool RuleAssembly::resolve_subject(RuleIr& spec) {
+    using enum RuleEvent;
+    switch (spec.rule.event) {
+        case timer_ends:
+            return true;
+        case game_begins:
+        case turn_begins:
+        case shot_begins:
+        case shot_ends:
+        case shot_judged:
+        case launch:
+        case drain:
+            return resolve_moment(spec);
+        default:
+            return is_pinball() ? resolve_device_event(spec) : resolve_ball_event(spec);
+    }
+}
+
+bool RuleAssembly::check_actions(const RuleIr& spec) {
+    const RuleGames other = is_pinball() ? RuleGames::shots : RuleGames::pinball;
+    for (std::size_t i = 0; i < spec.actions.size(); ++i) {
+        if (games_of(spec.rule.actions[i].what) != other) continue;
+        refuse("action-of-other-game", spec.actions[i],
+               fmt::format("'{}' belongs to game {}", spec.actions[i].text,
+                           is_pinball() ? "shots" : "pinball"),
+               "take another action");
+        return false;
+    }
+    if (!spec.rule.once || !is_pinball()) return true;
+    refuse("action-of-other-game", spec.event, "'once' belongs to game shots",
+           "pinball has no shots: take a variable of turn");
+    return false;
+}
+
+void RuleAssembly::resolve_rule(RuleIr& spec) {
+    if (!resolve_subject(spec) || !check_actions(spec)) return;
+    const auto meanings = resolve(spec.names);
+    if (!meanings) return;
+    renumber(spec.rule.needs, *meanings);
+    for (RuleAction& action : spec.rule.actions)
+        renumber(action, *meanings);
+    book_.rules.push_back(spec.rule);
+}
+
+void RuleAssembly::check() {
+    book_.variables = ir_.variables;
+    book_.timers = ir_.timers;
+    book_.players = ir_.settings.players;
+    book_.is_shots = ir_.settings.is_shots;
+    book_.least_wins = ir_.settings.least_wins;
+    const bool has_game = is_pinball() || book_.is_shots;
+    if (!has_game) {
+        if (!ir_.rules.empty() || !ir_.tasks.empty() || !ir_.goals.empty()) {
+            const Word& at = !ir_.rules.empty()   ? ir_.rules.front().subject
+                             : !ir_.tasks.empty() ? ir_.tasks.front().text
+                                                  : ir_.goals.front().text;
+            refuse("rules-without-game", at, "rules need a game that follows them",
+                   "say which: game pinball, or game shots");
+        }
+        return;
+    }
+    for (RuleIr& rule : ir_.rules)
+        resolve_rule(rule);
+    for (TaskIr& spec : ir_.tasks) {
+        const auto meanings = resolve(spec.names);
+        if (!meanings) continue;
+        renumber(spec.task.needs, *meanings);
+        renumber(spec.task.text, *meanings);
+        book_.tasks.push_back(spec.task);
+    }
+    for (GoalIr& spec : ir_.goals) {
+        const auto meanings = resolve(spec.names);
+        if (!meanings) continue;
+        renumber(spec.goal.needs, *meanings);
+        book_.goals.push_back(spec.goal);
+    }
+    check_symbols();
+    if (context_.reporter.has_errors()) return;
+    check_game();
+    check_events();
+}
+
+void RuleAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones) {
+    for (const BallsIr& set : ball_sets_) {
+        RuleBalls balls{set.who, {}};
+        for (const std::uint32_t ball : set.balls)
+            balls.balls.push_back(scene.world.balls().id[ball]);
+        std::ranges::sort(balls.balls);
+        book_.balls.push_back(std::move(balls));
+    }
+    for (const PlaceIr& from : places_) {
+        RulePlace place{from.name, {}, {}};
+        for (const std::uint32_t zone : from.zones)
+            place.zones.push_back(world_zones[zone]);
+        for (const std::uint32_t capsule : from.capsules)
+            place.edges.push_back(scene.world.capsules().id[capsule]);
+        std::ranges::sort(place.edges);
+        book_.places.push_back(std::move(place));
+    }
+    index_rules(book_);
+    scene.rules = std::move(book_);
+}
+
+}  // namespace carom

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "level/assemble/rule_assembly.h"
+
+// What is no error in rules, but of no use: members of RuleAssembly.
+namespace carom {
+
+bool RuleAssembly::has_action(std::initializer_list<RuleAction::What> wanted) const {
+    return std::ranges::any_of(book_.rules, [&](const Rule& rule) {
+        return std::ranges::any_of(rule.actions, [&](const RuleAction& action) {
+            return std::ranges::find(wanted, action.what) != wanted.end();
+        });
+    });
+}
+
+bool RuleAssembly::has_pockets() const {
+    return std::ranges::any_of(ir_.zones, [](const ZoneIr& zone) {
+        return zone.is_pocket || zone.zone.effect == Zone::Effect::sink;
+    });
+}
+
+// Variables that nothing reads, timers that nothing starts or waits for.
+void RuleAssembly::check_symbols() {
+    const auto starts = [&](std::uint32_t timer) {
+        return std::ranges::any_of(book_.rules, [&](const Rule& rule) {
+            return std::ranges::any_of(rule.actions, [&](const RuleAction& action) {
+                return action.what == RuleAction::What::start && action.index == timer;
+            });
+        });
+    };
+    const auto is_awaited = [&](std::uint32_t timer) {
+        return std::ranges::any_of(book_.rules, [&](const Rule& rule) {
+            return rule.event == RuleEvent::timer_ends && rule.subject == timer;
+        });
+    };
+    for (const auto& [name, symbol] : ir_.rule_symbols) {
+        const Span at = symbol.name.span();
+        if (!symbol.is_timer) {
+            const bool is_turns =
+                is_pinball() && ir_.variables[symbol.index].scope == RuleScope::shot;
+            if (is_turns)
+                context_.reporter.error("event-of-other-game", at, "pinball has no shots",
+                                        fmt::format("write: var {} of turn", name));
+            else if (!symbol.is_read)
+                context_.reporter.warning("variable-unread", at,
+                                          fmt::format("nothing reads the variable '{}'", name),
+                                          "take it out, or use it in a condition or a message");
+            continue;
+        }
+        if (context_.reporter.has_errors()) continue;
+        if (!starts(symbol.index))
+            context_.reporter.warning("timer-never-starts", at,
+                                      fmt::format("nothing starts the timer '{}'", name),
+                                      fmt::format("add an action: start {}", name));
+        else if (!symbol.is_read && !is_awaited(symbol.index))
+            context_.reporter.warning("variable-unread", at,
+                                      fmt::format("nothing waits for the timer '{}'", name),
+                                      fmt::format("add a rule: on {} ends ...", name));
+    }
+}
+
+// Parts of a pinball table that only game pinball moves or lights.
+void RuleAssembly::check_devices() {
+    for (const DeviceIr& device : ir_.devices) {
+        using enum DeviceKind;
+        const DeviceKind kind = device.device.kind;
+        if (kind == bumper || kind == slingshot || kind == gate || kind == edge) continue;
+        context_.reporter.error(
+            "device-in-shots", device.origin.span(),
+            fmt::format("a {} works in pinball only", traits(kind).name),
+            "game shots has edges, pegs, bumpers, slingshots, gates, zones and pockets");
+    }
+}
+
+void RuleAssembly::check_game() {
+    if (is_pinball()) return;
+    check_devices();
+    using enum RuleAction::What;
+    const Span at = *ir_.settings.game_at;
+    if (!has_action({win, lose, end}) && book_.goals.empty())
+        context_.reporter.warning("game-without-end", at, "this game has no way to end",
+                                  "add a rule with win, lose or end; or a goal");
+    if (!has_action({turn}) && book_.players > 1)
+        context_.reporter.warning(
+            "game-without-turns", at,
+            fmt::format("of {} players only the first ever plays", book_.players),
+            "add a rule with: turn");
+    const LevelSettings& s = ir_.settings;
+    if (!s.cloth && !s.stop_speed && !s.drag)
+        context_.reporter.warning("balls-never-rest", at,
+                                  "the balls never come to rest, so no shot ends",
+                                  "add a line: use cloth slide=0.2 roll=0.01 spin=10");
+}
+
+// Rules whose events nothing on the table can cause.
+void RuleAssembly::check_events() {
+    for (const RuleIr& spec : ir_.rules) {
+        using enum RuleEvent;
+        const auto warn = [&](std::string message, std::string remedy) {
+            context_.reporter.warning("event-never-happens", spec.event.span(), std::move(message),
+                                      std::move(remedy));
+        };
+        if (spec.rule.event == pocketed && !has_pockets())
+            warn("there are no pockets on this table", "add one: pocket NAME at=0,0 r=62");
+        else if (spec.rule.event == rail && ir_.capsules.empty())
+            warn("there are no edges on this table", "add one: box 0,0 100,60");
+        else if (spec.rule.event == launch &&
+                 std::ranges::count(table_.devices(), DeviceKind::plunger, &Device::kind) == 0)
+            warn("there is no plunger on this table", "add one: plunger NAME at=0,0 dir=up ...");
+        else if (spec.rule.event == balls_meet && balls_.size() < 2)
+            warn("there is one ball on this table", "add another: ball NAME at=0,0");
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "level/assemble/rule_assembly.h"
+#include "level/text/spelling.h"
+
+// What the names in rules denote: members of RuleAssembly.
+namespace carom {
+
+std::optional<std::uint32_t> RuleAssembly::lights_named(const Word& name) {
+    if (!is_pinball()) {
+        refuse("unknown-variable", name,
+               fmt::format("there is no variable or timer '{}'", name.text),
+               fmt::format("add a line above: var {}", name.text));
+        return std::nullopt;
+    }
+    const auto lit = table_.group_named(name, false);
+    if (!lit || traits(table_.kind_of(*lit)).has_light) return lit;
+    refuse("device-without-light", name, fmt::format("'{}' has no lights", name.text),
+           "only rollovers, targets, lamps and kickbacks are lit");
+    return std::nullopt;
+}
+
+// The balls of a name: any, cue, opponent; a ball or a rack, or one ball of it (rack.3); a kind.
+std::optional<std::uint32_t> RuleAssembly::find_balls(std::string_view name) {
+    if (const auto found = ball_sets_index_.find(name); found != ball_sets_index_.end())
+        return found->second;
+    BallsIr set;
+    using enum RuleBalls::Who;
+    if (name == "ball" || name == "cue" || name == "opponent") {
+        set.who = name == "ball" ? any : name == "cue" ? cue : opponent;
+    } else {
+        const std::size_t dot = name.find('.');
+        const std::string_view base = name.substr(0, dot);
+        std::uint32_t number = 0;
+        if (dot != std::string_view::npos)
+            std::from_chars(name.data() + dot + 1, name.data() + name.size(), number);
+        const auto is_called = [&](const StartingBall& ball) {
+            if (ball.binding < 0) return false;
+            const auto& binding = ir_.ball_bindings[static_cast<std::size_t>(ball.binding)];
+            if (binding.name) return binding.name->text == base;
+            return binding.is_numbered && binding.node->keyword().text == base;
+        };
+        const auto is_of_kind = [&](const StartingBall& ball) {
+            return names_.kind_names[ball.kind % names_.kind_names.size()] == base;
+        };
+        for (std::uint32_t i = 0; i < balls_.size(); ++i)
+            if (is_called(balls_[i])) set.balls.push_back(i);
+        if (set.balls.empty() && number == 0)
+            for (std::uint32_t i = 0; i < balls_.size(); ++i)
+                if (is_of_kind(balls_[i])) set.balls.push_back(i);
+        if (number > set.balls.size() || set.balls.empty()) return std::nullopt;
+        if (number > 0) set.balls = {set.balls[number - 1]};
+    }
+    const auto index = static_cast<std::uint32_t>(ball_sets_.size());
+    ball_sets_index_.emplace(std::string(name), index);
+    ball_sets_.push_back(std::move(set));
+    return index;
+}
+
+std::optional<std::uint32_t> RuleAssembly::find_place(std::string_view name) {
+    if (const auto found = places_index_.find(name); found != places_index_.end())
+        return found->second;
+    PlaceIr place{std::string(name), {}, {}};
+    const auto is_called = [&](int binding) {
+        return names_.edges[static_cast<std::size_t>(binding)].name == name;
+    };
+    for (std::uint32_t i = 0; i < ir_.zones.size(); ++i)
+        if (ir_.zones[i].device < 0 && is_called(ir_.zones[i].binding)) place.zones.push_back(i);
+    for (std::uint32_t i = 0; i < ir_.capsules.size(); ++i)
+        if (is_called(ir_.capsules[i].binding)) place.capsules.push_back(i);
+    if (place.zones.empty() && place.capsules.empty()) return std::nullopt;
+    const auto index = static_cast<std::uint32_t>(places_.size());
+    places_index_.emplace(std::string(name), index);
+    places_.push_back(std::move(place));
+    return index;
+}
+
+std::vector<std::string_view> RuleAssembly::known_names() const {
+    std::vector<std::string_view> known{"ball", "cue", "opponent"};
+    for (const BallBinding& binding : ir_.ball_bindings)
+        if (binding.name) known.push_back(binding.name->text);
+    for (const ResolvedEdges& edges : names_.edges)
+        if (!edges.name.empty()) known.emplace_back(edges.name);
+    for (const std::string& kind : names_.kind_names)
+        known.emplace_back(kind);
+    return known;
+}
+
+std::optional<std::uint32_t> RuleAssembly::balls_named(const Word& name) {
+    if (const auto found = find_balls(name.text)) return found;
+    if (std::ranges::count(ir_.error_names, name.text) > 0) return std::nullopt;
+    refuse("unknown-ball", name, fmt::format("there are no balls '{}'", name.text),
+           did_you_mean(name.text, known_names(),
+                        "write the name of a ball, a rack or a kind; ball, cue or opponent"));
+    return std::nullopt;
+}
+
+std::optional<std::uint32_t> RuleAssembly::place_named(const Word& name, bool is_edge) {
+    const auto found = find_place(name.text);
+    const bool fits = found && (is_edge ? !places_[*found].capsules.empty() : has_zones(*found));
+    if (fits) return found;
+    if (std::ranges::count(ir_.error_names, name.text) > 0) return std::nullopt;
+    refuse("unknown-place", name,
+           is_edge ? fmt::format("nothing that a ball can hit is called '{}'", name.text)
+                   : fmt::format("there is no pocket or zone '{}'", name.text),
+           did_you_mean(name.text, known_names(),
+                        is_edge ? "name an edge: edge name=wall 0,0 9,0"
+                                : "name a zone or a pocket: zone tee 0,0 0,0 r=1"));
+    return std::nullopt;
+}
+
+std::optional<std::vector<std::uint32_t>> RuleAssembly::resolve(
+    const std::vector<RuleNameIr>& names) {
+    std::vector<std::uint32_t> meanings;
+    for (const RuleNameIr& name : names) {
+        const auto found = name.role == Role::lights  ? lights_named(name.word)
+                           : name.role == Role::balls ? balls_named(name.word)
+                                                      : place_named(name.word, false);
+        if (!found) return std::nullopt;
+        meanings.push_back(*found);
+    }
+    return meanings;
+}
+
+}  // namespace carom

@@ -1,0 +1,245 @@
+#include "level/statements/rule_actions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "level/ir/numbers.h"
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+using What = RuleAction::What;
+
+// What follows the name of an action. Those that end in _maybe may lack their last word.
+enum class Takes {
+    nothing,
+    points,
+    sum,    // +N adds, N sets
+    count,  // 1 or more
+    time,
+    lights,
+    lights_and_maybe_time,
+    timer,
+    timer_and_maybe_time,
+    balls_and_maybe_place,
+    maybe_place,
+    text
+};
+
+struct ActionShape {
+    std::string_view name;
+    What what;
+    Takes takes;
+    RuleGames games;
+    std::string_view sample;
+    double most = 1e12;  // of a number that has no variable
+};
+
+using enum RuleGames;
+constexpr ActionShape shapes[] = {
+    {"score", What::score, Takes::points, both, "score 100"},
+    {"bonus", What::bonus, Takes::sum, pinball, "bonus +1"},
+    {"multiplier", What::multiplier, Takes::sum, pinball, "multiplier +1", 100.0},
+    {"multiball", What::multiball, Takes::count, pinball, "multiball 2", 8.0},
+    {"save", What::save, Takes::time, pinball, "save 10s"},
+    {"extraball", What::extraball, Takes::nothing, pinball, "extraball"},
+    {"reset", What::reset, Takes::lights, pinball, "reset NAME"},
+    {"light", What::light, Takes::lights_and_maybe_time, pinball, "light NAME"},
+    {"unlight", What::unlight, Takes::lights, pinball, "unlight NAME"},
+    {"advance", What::advance, Takes::lights, pinball, "advance NAME"},
+    {"message", What::message, Takes::text, both, "message \"TEXT\""},
+    {"start", What::start, Takes::timer_and_maybe_time, both, "start TIMER 20s"},
+    {"stop", What::stop, Takes::timer, both, "stop TIMER"},
+    {"foul", What::foul, Takes::text, shots, "foul \"TEXT\""},
+    {"turn", What::turn, Takes::nothing, shots, "turn"},
+    {"respot", What::respot, Takes::balls_and_maybe_place, shots, "respot BALLS ZONE"},
+    {"inhand", What::inhand, Takes::maybe_place, shots, "inhand ZONE"},
+    {"win", What::win, Takes::nothing, shots, "win"},
+    {"lose", What::lose, Takes::nothing, shots, "lose"},
+    {"end", What::end, Takes::nothing, shots, "end"},
+};
+
+constexpr ActionShape of_variable{"a variable", What::set, Takes::sum, both, "VARIABLE +1"};
+
+const ActionShape& shape_of(What what) {
+    const auto found = std::ranges::find(shapes, what, &ActionShape::what);
+    return found == std::end(shapes) ? of_variable : *found;
+}
+
+struct Counts {
+    std::size_t least = 1;
+    std::size_t most = 1;
+};
+
+// How many words an action has, with its name.
+Counts words_of(Takes takes) {
+    switch (takes) {
+        case Takes::nothing:
+            return {1, 1};
+        case Takes::maybe_place:
+            return {1, 2};
+        case Takes::lights_and_maybe_time:
+        case Takes::timer_and_maybe_time:
+        case Takes::balls_and_maybe_place:
+            return {2, 3};
+        default:
+            return {2, 2};
+    }
+}
+
+class ActionReader {
+  public:
+    ActionReader(const ActionShape& shape, const Scope& scope, Context& context, RuleWords& reader)
+        : shape_(shape), scope_(scope), context_(context), reader_(reader) {}
+
+    bool read(std::span<const Word> words, RuleAction& action) {
+        using Role = RuleNameIr::Role;
+        switch (shape_.takes) {
+            case Takes::nothing:
+                return true;
+            case Takes::points:
+                return read_amount(words[1], Bound::any, action);
+            case Takes::sum:
+                return read_sum(words[1], action);
+            case Takes::count:
+                return read_amount(words[1], Bound::positive, action);
+            case Takes::time:
+                return read_time(words[1], action);
+            case Takes::lights:
+            case Takes::lights_and_maybe_time:
+                action.index = reader_.name(words[1], Role::lights);
+                return words.size() < 3 || read_time(words[2], action);
+            case Takes::timer:
+            case Takes::timer_and_maybe_time:
+                if (!read_timer(words[1], action)) return false;
+                return words.size() < 3 || read_time(words[2], action);
+            case Takes::balls_and_maybe_place:
+                action.index = reader_.name(words[1], Role::balls);
+                if (words.size() == 3) read_place(words[2], action);
+                return true;
+            case Takes::maybe_place:
+                if (words.size() == 2) read_place(words[1], action);
+                return true;
+            case Takes::text:
+                break;
+        }
+        auto text = reader_.text(words[1], shape_.sample);
+        if (text) action.text = std::move(*text);
+        return text.has_value();
+    }
+
+  private:
+    void read_place(const Word& word, RuleAction& action) {
+        action.place = static_cast<std::int32_t>(reader_.name(word, RuleNameIr::Role::place));
+    }
+
+    bool read_time(const Word& word, RuleAction& action) {
+        const auto time = read_number(word, {shape_.name, " "}, Measure::time, Bound::not_negative,
+                                      scope_, context_);
+        action.seconds = time.value_or(0.0);
+        return time.has_value();
+    }
+
+    bool read_timer(const Word& word, RuleAction& action) {
+        const auto found = context_.ir.rule_symbols.find(word.text);
+        if (found == context_.ir.rule_symbols.end() || !found->second.is_timer) {
+            context_.reporter.error("unknown-timer", word.span(),
+                                    fmt::format("there is no timer '{}'", word.text),
+                                    fmt::format("add a line above: timer {} 20s", word.text));
+            return false;
+        }
+        action.index = found->second.index;
+        action.seconds = context_.ir.timers[action.index].seconds;
+        return true;
+    }
+
+    // +N and -N add to a variable, N sets it; of bonus and multiplier, only +N adds.
+    bool read_sum(const Word& word, RuleAction& action) {
+        const char first = word.text.front();
+        action.adds = first == '+' || (first == '-' && action.what == What::set);
+        return read_amount(word, Bound::any, action);
+    }
+
+    bool read_amount(const Word& word, Bound bound, RuleAction& action) {
+        const bool has_plus = word.text.front() == '+' && word.text.size() > 1;
+        auto value = reader_.value(has_plus ? word.part(1) : word, shape_.name, bound);
+        if (!value) return false;
+        const bool is_number = value->size() == 1 && value->front().what == RuleStep::What::number;
+        const auto most = static_cast<std::int64_t>(shape_.most);
+        if (is_number && (value->front().number > most || value->front().number < -most)) {
+            context_.reporter.error(
+                "action-value-too-large", word.span(),
+                fmt::format("{} goes up to {:.0f}", shape_.name, shape_.most),
+                fmt::format("write a smaller number, as in: {}", shape_.sample));
+            return false;
+        }
+        action.value = std::move(*value);
+        return true;
+    }
+
+    const ActionShape& shape_;
+    const Scope& scope_;
+    Context& context_;
+    RuleWords& reader_;
+};
+
+const ActionShape* shape_named(const Word& word, const Context& context) {
+    const auto symbol = context.ir.rule_symbols.find(word.text);
+    if (symbol != context.ir.rule_symbols.end() && !symbol->second.is_timer) return &of_variable;
+    return row_named(shapes, word.text);
+}
+
+}  // namespace
+
+RuleGames games_of(RuleAction::What what) {
+    return shape_of(what).games;
+}
+
+std::string_view name_of(RuleAction::What what) {
+    return shape_of(what).name;
+}
+
+bool begins_action(std::string_view word, const Context& context) {
+    const auto symbol = context.ir.rule_symbols.find(word);
+    if (symbol != context.ir.rule_symbols.end()) return !symbol->second.is_timer;
+    return row_named(shapes, word) != nullptr;
+}
+
+bool read_rule_action(std::span<const Word> words, const Scope& scope, Context& context,
+                      RuleWords& reader, RuleIr& rule) {
+    const ActionShape* shape = shape_named(words[0], context);
+    if (!shape) {
+        std::vector<std::string_view> known = names_of(shapes);
+        for (const auto& [name, symbol] : context.ir.rule_symbols)
+            known.push_back(name);
+        context.reporter.error("unknown-action", words[0].span(),
+                               fmt::format("there is no action '{}'", words[0].text),
+                               did_you_mean(words[0].text, known,
+                                            fmt::format("there are: {}, and variables (var NAME)",
+                                                        fmt::join(names_of(shapes), " "))));
+        return false;
+    }
+    const Counts counts = words_of(shape->takes);
+    if (words.size() < counts.least || words.size() > counts.most) {
+        const bool is_long = words.size() > counts.most;
+        const Word& at = is_long ? words[counts.most] : words[0];
+        context.reporter.error(
+            "action-malformed", at.span(),
+            is_long ? fmt::format("'{}' is not expected here", at.text)
+                    : fmt::format("{} is not complete", words[0].text),
+            fmt::format("write it as: {}, with a comma before the next", shape->sample));
+        return false;
+    }
+    RuleAction action;
+    action.what = shape->what;
+    if (shape == &of_variable)
+        action.index = context.ir.rule_symbols.find(words[0].text)->second.index;
+    if (!ActionReader(*shape, scope, context, reader).read(words, action)) return false;
+    rule.rule.actions.push_back(std::move(action));
+    rule.actions.push_back(words[0]);
+    return true;
+}
+
+}  // namespace carom
