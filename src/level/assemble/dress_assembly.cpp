@@ -1,6 +1,7 @@
 #include "level/assemble/dress_assembly.h"
 
 #include <algorithm>
+#include <map>
 
 #include "level/values/color_names.h"
 
@@ -36,6 +37,21 @@ std::string_view base_of(std::string_view name) {
     return name.substr(0, name.find('.'));
 }
 
+// Balls of a cradle that move at the start are pulled back from where they hang.
+void hang_cradles(const std::vector<StartingBall>& balls, const LevelIr& ir, Dress& dress) {
+    std::map<int, std::uint32_t> hung;  // by binding
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (balls[i].binding < 0) continue;
+        const auto& cradle = ir.ball_bindings[static_cast<std::size_t>(balls[i].binding)].cradle;
+        if (!cradle) continue;
+        const double speed = length(balls[i].velocity);
+        const Vec2 pulled = speed > 0.0 ? balls[i].velocity * (cradle->swing / speed) : Vec2{};
+        const std::uint32_t place = hung[balls[i].binding]++ % cradle->count;
+        dress.strings.push_back(
+            {static_cast<std::uint32_t>(i), balls[i].position + pulled + cradle->up, place == 0});
+    }
+}
+
 }  // namespace
 
 void fill_in_dress(const std::vector<StartingBall>& balls, const ResolvedNames& names,
@@ -58,6 +74,7 @@ void fill_in_dress(const std::vector<StartingBall>& balls, const ResolvedNames& 
             of_balls[i] = color_named(base_of(scene.ball_names[i]));
     }
     dress.balls = kept(std::move(of_balls));
+    hang_cradles(balls, ir, dress);
     const auto color_of_binding = [&](int binding) {
         return ir.edge_bindings[static_cast<std::size_t>(binding)].color;
     };

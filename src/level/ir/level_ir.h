@@ -48,6 +48,14 @@ struct EdgeBinding {
     std::optional<Rgb24> color{};
 };
 
+/// How a cradle hangs. `up`: from a ball to its pivot, length; `swing`: how far balls that move at
+/// the start are from their place at rest.
+struct CradleIr {
+    Vec2 up;
+    double swing = 0.0;
+    std::uint32_t count = 0;
+};
+
 /// Binds the balls of a statement to a name and a kind.
 struct BallBinding {
     const Node* node = nullptr;
@@ -55,6 +63,7 @@ struct BallBinding {
     std::optional<Word> kind;
     bool is_numbered = false;  ///< the first ball has a suffix too, as in a cradle
     std::optional<Rgb24> color{};
+    std::optional<CradleIr> cradle{};
 };
 
 struct CapsuleIr {

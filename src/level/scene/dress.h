@@ -52,6 +52,13 @@ struct BoardTheme {
     std::optional<Rgb24> edge;   ///< of edges whose material has no colour of its own
 };
 
+/// A string from which a ball of a cradle seems to hang. It is a picture: cradles have no strings.
+struct CradleString {
+    std::uint32_t ball = 0;  ///< number of the ball
+    Vec2 pivot;              ///< above the place where the ball hangs at rest
+    bool is_first = false;   ///< of its cradle
+};
+
 /// Lists by number are as long as what they describe, or empty, where nothing has a colour.
 struct Dress {
     std::vector<std::optional<Rgb24>> kinds;      ///< by World::kinds
@@ -62,6 +69,7 @@ struct Dress {
     std::vector<DeviceDress> devices;             ///< by PinballTable::devices
     std::vector<PaintedArea> areas;
     std::vector<BoardLabel> labels;
+    std::vector<CradleString> strings;  ///< cradle by cradle, each from one end to the other
     BoardTheme theme;
     std::vector<std::uint8_t> layers;  ///< by World::materials: 0 is the board, others lie above
 };

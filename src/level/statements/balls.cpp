@@ -168,7 +168,10 @@ void build_cradle(const Arguments& arguments, const Frame& frame, Context& conte
     ball.radius = radius;
     ball.mass = arguments.number("m");
     ball.restitution = arguments.number("e");
-    ball.binding = name_balls(ball_binding(arguments, true), context);
+    constexpr double string = 2.5;  // radii: how far above its ball a string ends
+    BallBinding hung = ball_binding(arguments, true);
+    hung.cradle = CradleIr{frame.transform.direction({0.0, string * radius}), swing, count};
+    ball.binding = name_balls(std::move(hung), context);
     ball.origin = Origin(arguments.span_of("count"));
     const double half = 0.5 * (count - 1.0) * pitch;
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -68,6 +68,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_edges(raster, view, Level::board);
     paint_lit_edges(raster, view);
     const bool shows_balls = annotations.copies.empty();
+    paint_cradles(raster, view);
     if (shows_balls) paint_balls(raster, view, Level::board);
     if (has_level_above(view)) {
         paint_areas_above(raster, view);

@@ -30,6 +30,36 @@ Ink edge_ink(const View& view, std::size_t edge) {
     return ink_of_material(edges.material[edge], look);
 }
 
+void paint_cradles(Raster& raster, const View& view) {
+    const Look& look = view.options.look;
+    const std::vector<CradleString>& strings = view.scene.dress.strings;
+    if (strings.empty() || !view.annotations.copies.empty()) return;
+    constexpr Rgb24 bar_color = 0x7a4a24;
+    const std::uint8_t thin = raster.renderer().has_pixels() ? 110 : 255;
+    const Ink bar = look.has_colors() ? dress_ink(bar_color, look) : ink_of(Role::edge, look);
+    const Ink line = ink_of(Role::faint, look);
+    const auto at = [&](Vec2 place) { return to_raster(view.camera, place); };
+    for (std::size_t first = 0; first < strings.size();) {
+        std::size_t last = first;
+        while (last + 1 < strings.size() && !strings[last + 1].is_first)
+            ++last;
+        double radius = 0.0;
+        for (std::size_t i = first; i <= last; ++i) {
+            const auto ball = index_of(view.world, BallId{strings[i].ball});
+            if (!ball) continue;
+            radius = std::max(radius, view.world.balls().radius[*ball]);
+            raster.line(at(strings[i].pivot), at(view.world.balls().position[*ball]), line, thin);
+        }
+        // The bar reaches a ball further than the outer strings.
+        const Vec2 span = strings[last].pivot - strings[first].pivot;
+        const Vec2 along = length(span) > 0.0 ? span / length(span) : Vec2{1.0, 0.0};
+        raster.capsule(at(strings[first].pivot - along * (2.0 * radius)),
+                       at(strings[last].pivot + along * (2.0 * radius)),
+                       0.25 * radius * view.camera.columns_per_length, {bar, 255, '='});
+        first = last + 1;
+    }
+}
+
 void write_board_labels(Canvas& canvas, const View& view) {
     const Look& look = view.options.look;
     const CellArea& area = view.camera.area;

@@ -64,6 +64,8 @@ enum class Level : std::uint8_t { board, above };
 bool has_level_above(const View& view);
 void paint_edges(Raster& raster, const View& view, Level level);
 void paint_balls(Raster& raster, const View& view, Level level);
+/// The frames and strings of cradles, behind their balls.
+void paint_cradles(Raster& raster, const View& view);
 /// The areas that the level paints above its board: see-through.
 void paint_areas_above(Raster& raster, const View& view);
 void paint_cloud(Raster& raster, const View& view);

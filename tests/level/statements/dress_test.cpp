@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "level/load.h"
 #include "level/values/color_names.h"
@@ -115,4 +116,18 @@ TEST_CASE("dress: no colour, paint or label changes the fingerprint of a world")
         "edge m 0,0 9,0 color=gold\nball a at=3,3 kind=k color=pink\n"
         "paint rect 0,0 9,9 color=navy\nlabel \"x\" at=1,1\n";
     CHECK(fingerprint(loaded(plain).world) == fingerprint(loaded(dressed).world));
+}
+
+TEST_CASE("dress: the strings of a cradle end above the places where its balls rest") {
+    const Scene scene = loaded(
+        "ball other at=90,90 r=1\n"
+        "repeat 2 step=0,30\ncradle five at=50,30 count=5 in=2 v=10 r=3 swing=12\nend\n");
+    const std::vector<CradleString>& strings = scene.dress.strings;
+    REQUIRE(strings.size() == 10);
+    for (std::size_t i = 0; i < strings.size(); ++i) {
+        CHECK(strings[i].is_first == (i % 5 == 0));
+        CHECK(strings[i].pivot.y == doctest::Approx((i < 5 ? 30.0 : 60.0) + 7.5));
+        CHECK(scene.ball_names[strings[i].ball].starts_with("five."));
+        if (i % 5 > 0) CHECK(strings[i].pivot.x - strings[i - 1].pivot.x == doctest::Approx(6.0));
+    }
 }
