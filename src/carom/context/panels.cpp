@@ -20,6 +20,9 @@ namespace {
 constexpr int wide = 70;
 constexpr int least_panel_columns = 24;
 constexpr int least_panel_rows = 7;
+/// Of a histogram below its bins.
+constexpr int most_rows_below = 14;
+constexpr int least_rows_for_below = 32;
 
 CellArea cut_bottom(CellArea& area, int rows) {
     area.rows -= rows;
@@ -39,6 +42,20 @@ CurvePicture picture_of(Observable what, const Observer& observer, const World& 
     for (const CurvePoint& point : observer.curve(what).points)
         picture.points.push_back({point.x, point.y, point.expected});
     return picture;
+}
+
+// Where the world shows each bin, from left to right, in columns; the last is the right border.
+std::vector<double> borders_of(const std::vector<std::uint32_t>& counters, const World& world,
+                               const Camera& camera) {
+    std::vector<double> borders;
+    for (const std::uint32_t counter : counters) {
+        const auto zone = std::ranges::find(world.zones(), counter, &Zone::counter);
+        if (zone == world.zones().end()) return {};
+        const Box box = bounds(zone->shape);
+        borders.push_back(to_cells(camera, box.low).column);
+        if (counter == counters.back()) borders.push_back(to_cells(camera, box.high).column);
+    }
+    return borders;
 }
 
 }  // namespace
@@ -66,6 +83,12 @@ void Panels::cut(CellArea& area, const Scene& scene, bool is_split) {
     for (CellArea& observed : observable_areas_)
         panels.push_back(&observed);
     if (is_split || panels.empty()) return;
+    // A tall window has room for the histogram under the bins that it counts.
+    if (panels.front() == &histogram_area_ && area.rows >= least_rows_for_below) {
+        histogram_area_ = cut_bottom(area, std::min(most_rows_below, area.rows * 2 / 7));
+        panels.erase(panels.begin());
+        if (panels.empty()) return;
+    }
     if (area.columns >= wide) {
         CellArea side = cut_right(area, std::max(least_panel_columns, area.columns * 2 / 5));
         for (std::size_t i = panels.size(); i-- > 1;)
@@ -82,7 +105,7 @@ void Panels::sample(const World& world) {
 }
 
 void Panels::draw(Canvas& canvas, const Session& session, const Observer* observer,
-                  const Look& look) const {
+                  const Camera& camera, const Look& look) const {
     const World& world = session.world();
     for (std::size_t i = 0; observer && i < observable_areas_.size(); ++i)
         draw_curve(canvas, observable_areas_[i], picture_of(observables_[i], *observer, world),
@@ -98,6 +121,9 @@ void Panels::draw(Canvas& canvas, const Session& session, const Observer* observ
     const std::vector<std::uint64_t> counts = census(world);
     for (const std::uint32_t counter : show->counters)
         histogram.counts.push_back(counts[counter]);
+    const std::vector<double> borders = borders_of(show->counters, world, camera);
+    if (histogram_area_.row >= camera.area.row + camera.area.rows && fits_below(histogram, borders))
+        return draw_histogram_below(canvas, histogram_area_, histogram, borders, look);
     draw_histogram(canvas, histogram_area_, histogram, look);
 }
 

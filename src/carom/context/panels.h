@@ -30,7 +30,7 @@ class Panels {
     void clear() { energy_.clear(); }
     /// `observer`: null where nothing is observed.
     void draw(Canvas& canvas, const Session& session, const Observer* observer,
-              const Look& look) const;
+              const Camera& camera, const Look& look) const;
 
   private:
     bool shows_histogram_ = false;

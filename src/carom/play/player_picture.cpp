@@ -154,7 +154,7 @@ void Player::draw_game(Canvas& canvas, double aspect) {
                annotations_of(play_), view(), play_.view.memory);
     const bool is_split = play_.companion.comparison().has_value();
     if (is_split) play_.companion.draw(canvas, session(), camera(), play_.view.selected, view());
-    play_.panels.draw(canvas, session(), play_.observation->observer(), view().look);
+    play_.panels.draw(canvas, session(), play_.observation->observer(), camera(), view().look);
     if (!is_split) play_.controller->draw_panel(play_, canvas);
     draw_hud(canvas, status_of(play_), view().look);
 }

@@ -122,7 +122,7 @@ void write_counters(Canvas& canvas, const View& view) {
         if (zone.counter >= counts.size()) continue;
         const Box box = bounds(zone.shape);
         const auto at = cell_of(view.camera, {center(box).x, box.high.y});
-        if (!at) continue;
+        if (!at || counts[zone.counter] == 0) continue;
         const std::string text = short_count(counts[zone.counter]);
         const int width = static_cast<int>(text.size());
         const int column = at->column - (width - 1) / 2;

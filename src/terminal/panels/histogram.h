@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,15 @@ double chi_square_tail(double x, int degrees);
 /// gets less of this; one below 12 x 4 stays untouched.
 void draw_histogram(Canvas& canvas, const CellArea& area, const Histogram& histogram,
                     const Look& look);
+
+/// Whether bars between these borders, in columns of the canvas, are wide enough to be told apart.
+/// `borders` has one more than there are counts.
+bool fits_below(const Histogram& histogram, std::span<const double> borders);
+
+/// Draws into `area`, which is below the bins themselves, the numbers, a bar under each bin with
+/// the expected curve, an axis, and the counts. Pre: fits_below. An area below 5 rows stays
+/// untouched.
+void draw_histogram_below(Canvas& canvas, const CellArea& area, const Histogram& histogram,
+                          std::span<const double> borders, const Look& look);
 
 }  // namespace carom

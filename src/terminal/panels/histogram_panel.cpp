@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "terminal/panels/histogram.h"
@@ -79,7 +80,7 @@ void draw_bars(Canvas& canvas, const CellArea& area, const std::vector<PictureBa
                 Cell cell{partial_block(filled, look.utf8), bar_ink.color,
                           is_full ? bar_ink.color : default_color, bar_ink.attributes};
                 if (cell.glyph == U' ') cell = {};
-                if (bars[i].expected > 0.0 && up == curve_row) {
+                if (bars[i].expected > 0.0 && up == curve_row && !is_gap) {
                     cell.glyph = level_line(curve - up, look.utf8);
                     cell.foreground = curve_ink.color;
                     cell.attributes = curve_ink.attributes;
@@ -138,6 +139,84 @@ void draw_histogram(Canvas& canvas, const CellArea& area, const Histogram& histo
     draw_bars(canvas, picture, bars_of(histogram, together, total), look);
     write_flowing(canvas, {area.column, area.row + area.rows - text_rows, area.columns, text_rows},
                   words);
+}
+
+namespace {
+
+// A bar and its part of the curve, `first` to `last` (excluded), from the bottom of `area` upwards.
+void draw_bar(Canvas& canvas, const CellArea& area, int first, int last, double height,
+              std::optional<double> curve, const Look& look) {
+    const Ink bar_ink = ink_of_class(1, look);
+    const Ink curve_ink = ink_of(Role::expected, look);
+    for (int column = std::max(first, area.column);
+         column < std::min(last, area.column + area.columns); ++column)
+        for (int up = 0; up < area.rows; ++up) {
+            const double filled = height - up;
+            const bool is_full = filled >= 1.0 && look.has_colors() && look.utf8;
+            Cell cell{partial_block(filled, look.utf8), bar_ink.color,
+                      is_full ? bar_ink.color : default_color, bar_ink.attributes};
+            if (cell.glyph == U' ') cell = {};
+            if (curve && up == std::min(static_cast<int>(*curve), area.rows - 1)) {
+                cell.glyph = level_line(*curve - up, look.utf8);
+                cell.foreground = curve_ink.color;
+                cell.attributes = curve_ink.attributes;
+            }
+            canvas.put(column, area.row + area.rows - 1 - up, cell);
+        }
+}
+
+}  // namespace
+
+bool fits_below(const Histogram& histogram, std::span<const double> borders) {
+    constexpr double least_width = 2.0;  // columns of a bar, with the gap beside it
+    if (borders.size() != histogram.counts.size() + 1 || histogram.counts.empty()) return false;
+    for (std::size_t i = 1; i < borders.size(); ++i)
+        if (!(borders[i] - borders[i - 1] >= least_width) || !(borders[i] < 1e6)) return false;
+    return borders.front() > -1e6;
+}
+
+void draw_histogram_below(Canvas& canvas, const CellArea& area, const Histogram& histogram,
+                          std::span<const double> borders, const Look& look) {
+    constexpr int least_rows_below = 5;
+    if (area.rows < least_rows_below) return;
+    clear_area(canvas, area);
+    double total = 0.0;
+    for (const std::uint64_t count : histogram.counts)
+        total += static_cast<double>(count);
+    const std::vector<PictureBar> bars = bars_of(histogram, 1, total);
+    double most = 1.0;
+    for (const PictureBar& bar : bars)
+        most = std::max({most, bar.count, bar.expected});
+    // The words, the bars, the axis, and the counts.
+    const CellArea picture{area.column, area.row + 1, area.columns, area.rows - 3};
+    const int axis = picture.row + picture.rows;
+    const double rows_per_count = picture.rows / most;
+    const Ink faint = ink_of(Role::faint, look);
+    const Ink counter = ink_of(Role::counter, look);
+    const auto column_of = [](double border) { return static_cast<int>(std::lround(border)); };
+    int free_from = area.column;
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        const int first = column_of(borders[i]);
+        const int last = column_of(borders[i + 1]);
+        const bool has_curve = bars[i].expected > 0.0;
+        draw_bar(canvas, picture, first, last - 1, bars[i].count * rows_per_count,
+                 has_curve ? std::optional(bars[i].expected * rows_per_count) : std::nullopt, look);
+        for (int column = std::max(first, area.column);
+             column < std::min(last, area.column + area.columns); ++column)
+            canvas.put(column, axis, {look.utf8 ? U'─' : U'-', faint.color});
+        const std::string text = fmt::format("{}", histogram.counts[i]);
+        const int width = static_cast<int>(text.size());
+        const int at = (first + last - 1 - width + 1) / 2;
+        if (at < free_from || at + width > area.column + area.columns) continue;
+        canvas.write(at, axis + 1, text, counter.color, default_color, counter.attributes);
+        free_from = at + width + 1;
+    }
+    std::vector<PanelText> words{
+        {histogram.against.empty() ? histogram.title : histogram.title + " / " + histogram.against,
+         ink_of(Role::strong, look)}};
+    for (PanelText& text : statistics_texts(histogram, look))
+        words.push_back(std::move(text));
+    write_flowing(canvas, {area.column, area.row, area.columns, 1}, words);
 }
 
 }  // namespace carom

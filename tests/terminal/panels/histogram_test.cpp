@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 using namespace carom;
 
@@ -89,14 +90,14 @@ TEST_CASE("bars and the expected curve, with blocks") {
     histogram.counts[3] = 120;
     CHECK(drawn(histogram, 30, 12, {256, true, false}) == R"(
 bins / binomial
-            ▔▔▔▔
-        ▁▁▁▁    ▁▁▁▁
+            ▔▔▔
+        ▁▁▁     ▁▁▁
         ███ ▄▄▄ ███
         ███ ███ ███
         ███ ███ ███
-    ────███ ███ ███ ────
+    ─── ███ ███ ███ ───
     ███ ███ ███ ███ ███
-────███ ███ ███ ███ ███ ────
+─── ███ ███ ███ ███ ███ ───
 N 560  mean 3.000 (3.000)
 variance x1.143
 χ² 25.1/6 p 0.000
@@ -108,14 +109,14 @@ TEST_CASE("bars and the expected curve, in ASCII") {
     histogram.counts[3] = 120;
     CHECK(drawn(histogram, 30, 12, {0, false, false}) == R"(
 bins / binomial
-            """"
-        ____    ____
+            """
+        ___     ___
         ### ... ###
         ### ### ###
         ### ### ###
-    ----### ### ### ----
+    --- ### ### ### ---
     ### ### ### ### ###
-----### ### ### ### ### ----
+--- ### ### ### ### ### ---
 N 560  mean 3.000 (3.000)
 variance x1.143
 chi2 25.1/6 p 0.000
@@ -128,6 +129,33 @@ TEST_CASE("more bins than columns share bars") {
     const std::string text = drawn(histogram, 20, 8, {0, false, false});
     CHECK(text.find(std::string(16, '#')) != std::string::npos);
     CHECK(text.find(std::string(18, '#')) == std::string::npos);
+}
+
+TEST_CASE("under its bins a histogram has a bar, an axis and a count for each") {
+    const Histogram histogram{"bins", {1, 4, 2}, {1, 4, 2}, "binomial"};
+    const std::vector<double> borders{4.0, 8.0, 12.0, 16.0};
+    REQUIRE(fits_below(histogram, borders));
+    Canvas canvas(40, 7);
+    draw_histogram_below(canvas, {0, 0, 40, 7}, histogram, borders, {0, false, false});
+    CHECK("\n" + canvas.text() == R"(
+bins / binomial  N 7  mean 1.143 (1.143)
+        """
+        ### ___
+    ___ ### ###
+    ### ### ###
+    ------------
+     1   4   2
+)");
+}
+
+TEST_CASE("bins too narrow to have bars below them do not fit") {
+    const Histogram histogram{"bins", {1, 2}, {}, ""};
+    CHECK(fits_below(histogram, std::vector{0.0, 2.0, 4.0}));
+    CHECK_FALSE(fits_below(histogram, std::vector{0.0, 1.9, 4.0}));
+    CHECK_FALSE(fits_below(histogram, std::vector{4.0, 2.0, 0.0}));
+    CHECK_FALSE(fits_below(histogram, std::vector{0.0, 2.0}));
+    CHECK_FALSE(fits_below(histogram, std::vector{0.0, 2.0, std::nan("")}));
+    CHECK_FALSE(fits_below(histogram, std::vector{-1e9, 2.0, 4.0}));
 }
 
 TEST_CASE("a panel too small for a histogram stays untouched") {
