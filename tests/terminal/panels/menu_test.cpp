@@ -84,7 +84,9 @@ TEST_CASE("a wide menu has the line about each level in its list") {
 TEST_CASE("the selected entry is visible in any window, and the mouse finds it") {
     MenuPage many = page();
     many.entries.assign(60, {"level", "", "", false});
-    for (const auto& [columns, rows] : {std::pair{20, 8}, {40, 20}, {80, 24}, {200, 60}}) {
+    for (const auto& size : {std::pair{20, 8}, {40, 20}, {80, 24}, {200, 60}}) {
+        const int columns = size.first;
+        const int rows = size.second;
         for (many.selected = 0; many.selected < many.entries.size(); ++many.selected) {
             Canvas canvas(columns, rows);
             draw_menu(canvas, many, {});
