@@ -35,6 +35,7 @@ std::optional<double> Messages::seconds_left() const {
 }
 
 std::optional<Messages::Line> Messages::line() const {
+    if (!prompt_.empty()) return Line{prompt_, false, std::nullopt};
     if (seconds_left_ > 0.0) return message_;
     if (problem_.empty()) return std::nullopt;
     Line lines{"", true, std::nullopt};

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/vec2.h"
@@ -22,6 +23,8 @@ class Messages {
     void end_message() {
         if (!message_.is_error) seconds_left_ = 0.0;
     }
+    /// A question to the player, shown before everything else until it is answered; empty: none.
+    void set_prompt(std::string prompt) { prompt_ = std::move(prompt); }
     /// The problem's lines.
     const std::vector<std::string>& problem() const { return problem_; }
 
@@ -42,6 +45,7 @@ class Messages {
     Line message_;
     double seconds_left_ = 0.0;
     std::vector<std::string> problem_;
+    std::string prompt_;
 };
 
 }  // namespace carom

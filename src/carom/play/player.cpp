@@ -148,6 +148,11 @@ void Player::set_problem(std::vector<std::string> lines) {
     play_.needs_draw = true;
 }
 
+void Player::set_prompt(std::string prompt) {
+    play_.messages.set_prompt(std::move(prompt));
+    play_.needs_draw = true;
+}
+
 void Player::pause(bool paused) {
     play_.clock.pause(paused);
     play_.needs_draw = true;

@@ -45,6 +45,8 @@ class Player {
     /// See Messages::set_problem.
     void set_problem(std::vector<std::string> lines);
 
+    /// See Messages::set_prompt.
+    void set_prompt(std::string prompt);
     void pause(bool paused);
     /// Asked now and then within long ticks; false cancels the tick.
     void set_keep_going(const KeepGoing& keep_going);

@@ -176,6 +176,11 @@ std::optional<Problems> Program::open_recording() {
 }
 
 void Program::enter(LevelSource source, Player player, std::optional<InterruptedGame> offer) {
+    if (const auto left = views_.find(source.path); left != views_.end()) {
+        ViewOptions options = left->second;
+        options.look = view().look;
+        player.set_view(options);
+    }
     player.set_mouse_is_off(!mouse_);
     player.set_key_release(capabilities_.key_release);
     player.set_bell(preferences_.bell);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -110,8 +111,6 @@ class Program {
 
     void reload(RunningGame& game);
     ViewOptions view() const;
-    /// Writes the settings that the player has changed by keys into the preferences file.
-    void keep_preferences(const ViewOptions& before, const ViewOptions& after);
     void keep_pool_record(RunningGame& game, bool all);
     void keep_key_repeat(const RunningGame& game);
     void keep_setting(std::string_view name, std::string_view value);
@@ -120,7 +119,8 @@ class Program {
     Preferences preferences_;
     std::vector<std::string> preference_problems_;
     Capabilities capabilities_;
-    ViewOptions view_;
+    ViewOptions view_;  ///< by options and preferences: the default of each level
+    std::map<std::string, ViewOptions> views_;  ///< by path: as they were left in this run
     ThemeChoice theme_;
     std::optional<Recording> recording_;  ///< of the current game, until it ends
     std::optional<std::string> lost_recording_;

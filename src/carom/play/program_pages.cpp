@@ -9,7 +9,6 @@
 #include "carom/files/files.h"
 #include "carom/files/high_scores.h"
 #include "carom/play/program.h"
-#include "game/session/save_level.h"
 #include "terminal/panels/pages.h"
 
 namespace carom {
@@ -50,11 +49,13 @@ void Program::handle(const InputEvent& event, double now) {
 }
 
 void Program::handle_game(RunningGame& game, const InputEvent& event, double now) {
-    const ViewOptions before = game.player.view();
+    const std::size_t most_saves =
+        options_.guest ? options_.guest->most_saves : RunningGame::unlimited;
+    if (game.prompt) return game.answer(event, most_saves);
     const PlayRequest request = game.player.handle(event);
     if (const auto score = game.player.take_high_score())
         keep_score(game.player, game.source.path, *score);
-    keep_preferences(before, game.player.view());
+    views_[game.source.path] = game.player.view();
     if (game.player.has_bell() != preferences_.bell) {
         preferences_.bell = game.player.has_bell();
         keep_setting("bell", preferences_.bell ? "on" : "off");
@@ -79,8 +80,7 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
             break;
         }
         case PlayRequest::save:
-            game.save_level(now,
-                            options_.guest ? options_.guest->most_saves : RunningGame::unlimited);
+            game.ask_for_name();
             break;
         case PlayRequest::toggle_mouse:
             mouse_ = !mouse_;

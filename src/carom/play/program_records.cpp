@@ -37,17 +37,4 @@ void Program::keep_pool_record(RunningGame& game, bool all) {
     game.player.set_pool_record(kept.record);
 }
 
-void Program::keep_preferences(const ViewOptions& before, const ViewOptions& after) {
-    if (before.renderer != after.renderer) {
-        keep_setting("renderer", name_of(after.renderer));
-        view_.renderer = after.renderer;
-    }
-    if (before.color_by != after.color_by) keep_setting("color-by", text_of(after.color_by));
-    if (before.ball_style != after.ball_style) keep_setting("balls", text_of(after.ball_style));
-    if (before.trails != after.trails) keep_setting("trails", after.trails ? "on" : "off");
-    view_.color_by = after.color_by;
-    view_.ball_style = after.ball_style;
-    view_.trails = after.trails;
-}
-
 }  // namespace carom

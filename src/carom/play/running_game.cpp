@@ -2,15 +2,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
 #include "carom/controllers/pool_controller.h"
 #include "carom/files/files.h"
 #include "carom/files/guest.h"
+#include "carom/files/level_files.h"
+#include "game/session/amend_level.h"
 #include "game/session/save_level.h"
 
 namespace carom {
+namespace {
+
+/// Why a level of this text does not start with the bodies of `world`, bit by bit; empty: it does.
+std::string obstacle_to_reading_back(const std::string& text, const std::string& name,
+                                     const World& world) {
+    LoadOptions options;
+    options.resolve_include = include_resolver();
+    const LoadResult loaded = load_level(text, name + ".level", options);
+    const auto error =
+        std::ranges::find(loaded.diagnostics, Severity::error, &Diagnostic::severity);
+    if (error != loaded.diagnostics.end()) return error->message;
+    const bool is_same = loaded.scene && has_same_bodies(loaded.scene->world, world);
+    return is_same ? "" : "it would read back otherwise";
+}
+
+}  // namespace
 
 bool RunningGame::autosave() {
     const Session& session = player.session();
@@ -63,26 +82,53 @@ void RunningGame::compare_marks() {
             "this is not what was recorded: at tick {} the fingerprint differs", *tick)});
 }
 
-void RunningGame::save_level(double now, std::size_t most) {
+void RunningGame::ask_for_name() {
     namespace fs = std::filesystem;
-    const Session& session = player.session();
-    if (!session.scene().table.is_empty())
-        return player.complain("a table cannot be saved in play: record it, with --record");
+    if (!player.session().scene().table.is_empty())
+        return player.complain("A pinball table cannot be saved. Record it: --record FILE.");
     const std::string stem = fs::path(source.path).stem().string();
-    const bool is_same_press = !saved_level.empty() && now - level_saved < 1.0;
-    level_saved = now;
-    std::string path = is_same_press ? saved_level : "";
+    std::string name;
     std::error_code error;
-    for (int n = 1; !is_same_press && (path.empty() || fs::exists(path, error)); ++n)
-        path = fmt::format("{}-{}.level", stem, n);
+    for (int n = 1; name.empty() || fs::exists(name + ".level", error); ++n)
+        name = fmt::format("{}-{}", stem, n);
+    was_paused = player.clock().is_paused();
+    player.pause(true);
+    prompt.emplace(name);
+    player.set_prompt(prompt->text());
+}
+
+void RunningGame::answer(const InputEvent& event, std::size_t most) {
+    const auto result = prompt->handle(event);
+    if (std::holds_alternative<SavePrompt::Open>(result)) return player.set_prompt(prompt->text());
+    prompt.reset();
+    player.set_prompt({});
+    if (const auto* answered = std::get_if<SavePrompt::Answer>(&result))
+        save_level(*answered, most);
+    player.pause(was_paused);
+}
+
+void RunningGame::save_level(const SavePrompt::Answer& answer, std::size_t most) {
+    const Session& session = player.session();
+    const Scene& scene = session.scene();
+    const World world = answer.is_start ? edited_start(scene, session.world(), session.commands())
+                                        : session.world();
+    AmendedLevel amended = amended_level(scene, world);
+    if (amended.text) {
+        std::string why_not = obstacle_to_reading_back(*amended.text, answer.name, world);
+        if (!why_not.empty()) amended = {std::nullopt, std::move(why_not)};
+    }
+    const std::string path = answer.name + (amended.text ? "" : "-flat") + std::string(".level");
+    std::error_code error;
+    if (std::filesystem::exists(path, error))
+        return player.complain(path + " exists already. Choose another name.");
     if (const auto problem =
-            write_file_atomically(path, level_text(session.scene(), session.world())))
+            write_file_atomically(path, amended.text ? *amended.text : level_text(scene, world)))
         return player.complain(*problem);
-    saved_level = path;
+    std::string done = "Saved as " + path + ".";
+    if (!amended.text) done = fmt::format("Saved flat as {}, since {}.", path, amended.obstacle);
     const auto removed = most == unlimited ? std::nullopt : remove_oldest_levels(most);
-    player.say(removed
-                   ? fmt::format("saved as {}; {}, the oldest of {}, is gone", path, *removed, most)
-                   : "saved as " + path);
+    if (removed) done += fmt::format(" {}, the oldest of {}, is gone.", *removed, most);
+    player.say(done);
 }
 
 }  // namespace carom

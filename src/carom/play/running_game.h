@@ -12,6 +12,7 @@
 #include "carom/play/player.h"
 #include "carom/play/recording.h"
 #include "carom/play/resume.h"
+#include "carom/play/save_prompt.h"
 #include "physics/version.h"
 
 /// A running game, with the files around it.
@@ -28,8 +29,8 @@ struct RunningGame {
     std::optional<ShotSetup> saved_setup{};
     std::vector<FingerprintMark> expected{};  ///< fingerprints of a watched recording
     std::size_t marks_compared = 0;
-    std::string saved_level{};               ///< the file that save_level() wrote last
-    double level_saved = 0.0;                ///< the time of that request, s
+    std::optional<SavePrompt> prompt{};      ///< while the player is asked for a name
+    bool was_paused = false;                 ///< before that question
     double messages_faded = 0.0;             ///< the time up to which they have, s
     int recorded_physics = physics_version;  ///< physics version of a watched recording
 
@@ -42,10 +43,15 @@ struct RunningGame {
     /// Tells the player where a watched recording differs from the replay; of one that was made
     /// under another physics version, only that. The replay continues either way.
     void compare_marks();
-    /// Saves the world as a level file in the current folder. `now`: s on a monotonic clock. Saving
-    /// again within a second, as a held key does, replaces that file. `most`: levels that may be
-    /// kept there; the oldest give way.
-    void save_level(double now, std::size_t most = unlimited);
+    /// Asks for a name to save the level under; the game waits. Complains where it cannot be saved.
+    void ask_for_name();
+    /// Answers the question. `most`: see save_level.
+    void answer(const InputEvent& event, std::size_t most = unlimited);
+    /// Saves the level in the current folder as NAME.level: in its author's words, with what has
+    /// changed (game/session/amend_level.h), or, where that does not read back to the same bits,
+    /// flat as NAME-flat.level. An existing file stays. `most`: levels that may be kept there; the
+    /// oldest give way.
+    void save_level(const SavePrompt::Answer& answer, std::size_t most = unlimited);
     static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 };
 

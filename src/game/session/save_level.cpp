@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "game/referees/referee.h"
+#include "game/session/written_numbers.h"
 #include "geometry/elementary.h"
 #include "level/values/color_names.h"
 #include "physics/laws/curve.h"
@@ -20,38 +21,6 @@ namespace {
 
 /// The number of points after which a line is broken.
 constexpr std::size_t points_a_line = 6;
-
-/// The mass with this inverse. Exact, since the inverse came from some mass: 1/(1/(1/m)) has the
-/// bits of 1/m.
-double mass_of(double inverse_mass) {
-    return 1.0 / inverse_mass;
-}
-
-/// The number that the loader, modelled by `read`, turns into exactly `wanted`. Searches within a
-/// few units in the last place of the guess.
-template <typename Read>
-double unread(double guess, double wanted, Read read) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double below = guess;
-    double above = guess;
-    for (int i = 0; i < 8; ++i) {
-        if (read(below) == wanted) return below;
-        if (read(above) == wanted) return above;
-        below = std::nextafter(below, -infinity);
-        above = std::nextafter(above, infinity);
-    }
-    return guess;
-}
-
-double degrees_of(double radians) {
-    return unread(radians * 180.0 / pi, radians, [](double x) { return x * pi / 180.0; });
-}
-
-/// In rad/s; the loader converts through degrees.
-double spin_of(double spin) {
-    constexpr double degrees = 180.0 / pi;
-    return unread(spin, spin, [](double x) { return x * degrees / degrees; });
-}
 
 // The file is long since it is one writer: the statements of a level in their order, which share
 // the names of kinds and materials.

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "geometry/elementary.h"
+#include "level/assemble/amend.h"
 #include "level/assemble/checks.h"
 #include "level/assemble/curves.h"
 #include "level/assemble/dress_assembly.h"
@@ -32,10 +33,11 @@ class Assembly {
         const std::size_t items = ir_.balls.size() + ir_.capsules.size();
         if (context_.reporter.has_errors() && items > most_checked_with_errors) return;
         collect_balls();
-        check_start(balls_, names_, context_);
-        check_precision(balls_, rate(), context_);
         SymbolTable symbols(ir_, names_, context_);
         symbols.name_balls(balls_);
+        amended_ = amend(balls_, symbols, context_);
+        check_start(present_balls(), names_, context_);
+        check_precision(balls_, rate(), context_);
         PinballAssembly table(names_, context_);
         table.collect_devices();
         RuleAssembly rules(table, names_, balls_, context_);
@@ -56,6 +58,7 @@ class Assembly {
         if (context_.reporter.has_errors()) return;
         check_flippers(balls_, names_, context_);
         check_gaps(balls_, names_, context_);
+        remove_balls();
     }
 
   private:
@@ -198,6 +201,9 @@ class Assembly {
             spec.radius = ball.radius;
             spec.mass = ball.mass;
             spec.restitution = ball.restitution;
+            const std::size_t i = world.balls().size();
+            if (!amended_.spin.empty() && amended_.spin[i]) spec.spin = *amended_.spin[i];
+            if (!amended_.roll.empty() && amended_.roll[i]) spec.roll = *amended_.roll[i];
             add_ball(world, spec);
         }
         for (const CapsuleIr& edge : ir_.capsules) {
@@ -219,6 +225,24 @@ class Assembly {
                             (options_.seed && *options_.seed != s.seed.value_or(0));
         make_outlines();
         scene_.view = view();
+    }
+
+    // The ids of the others stay, as in play. The level starts without these balls, so it does not
+    // count as a removal.
+    void remove_balls() {
+        for (std::size_t i = 0; i < balls_.size(); ++i)
+            if (amended_.removes(i))
+                remove_ball(scene_.world, BallId{static_cast<std::uint32_t>(i)});
+        scene_.world.edit_ledger().removed.clear();
+    }
+
+    // Without the removed ones, which keep their numbers until the world is made.
+    std::vector<StartingBall> present_balls() const {
+        if (amended_.is_removed.empty()) return balls_;
+        std::vector<StartingBall> present;
+        for (std::size_t i = 0; i < balls_.size(); ++i)
+            if (!amended_.removes(i)) present.push_back(balls_[i]);
+        return present;
     }
 
     ClassIndex material_of(const CapsuleIr& edge) const {
@@ -298,6 +322,7 @@ class Assembly {
     LevelIr& ir_;
     ResolvedNames names_;
     std::vector<StartingBall> balls_;
+    Amended amended_;
 };
 
 }  // namespace

@@ -69,6 +69,9 @@ class Resolver {
             collect(task.names);
         for (const GoalIr& goal : ir_.goals)
             collect(goal.names);
+        for (const AmendmentIr& amendment : ir_.amendments)
+            if (amendment.name)
+                rule_names_.insert(amendment.name->text.substr(0, amendment.name->text.find('.')));
     }
     void collect(const std::vector<RuleNameIr>& names) {
         for (const RuleNameIr& name : names)
@@ -280,7 +283,7 @@ class Resolver {
     std::vector<std::string_view> material_names_;
     ClassNames kinds_;
     ClassNames materials_;
-    std::set<std::string_view> rule_names_;  ///< names that the rules of a game use
+    std::set<std::string_view> rule_names_;  ///< names that rules, `move` and `remove` use
     std::size_t kinds_of_a_layer_ = 0;
     std::vector<bool> is_of_own_material_;  ///< for each binding of a device
     ResolvedNames result_;

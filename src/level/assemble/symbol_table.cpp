@@ -59,6 +59,40 @@ void SymbolTable::name_balls(const std::vector<StartingBall>& balls) {
     }
 }
 
+void SymbolTable::name_edges() {
+    std::map<std::string_view, std::uint32_t> counts;
+    const auto base_of = [&](const CapsuleIr& edge) -> std::string_view {
+        return names_.edges[static_cast<std::size_t>(edge.binding)].name;
+    };
+    for (const CapsuleIr& edge : ir_.capsules)
+        ++counts[base_of(edge)];
+    std::map<std::string_view, std::uint32_t> seen;
+    if (counts.size() > (counts.contains("") ? 1u : 0u))
+        edge_names_.assign(ir_.capsules.size(), "");
+    for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
+        const std::string_view base = base_of(ir_.capsules[i]);
+        if (base.empty()) continue;
+        edge_names_[i] =
+            counts[base] == 1 ? std::string(base) : fmt::format("{}.{}", base, ++seen[base]);
+    }
+}
+
+std::optional<std::size_t> SymbolTable::edge_named(std::string_view name) {
+    if (edge_index_.empty())
+        for (std::size_t i = 0; i < edge_names_.size(); ++i)
+            if (!edge_names_[i].empty()) edge_index_.emplace(edge_names_[i], i);
+    const auto found = edge_index_.find(name);
+    return found == edge_index_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<std::string_view> SymbolTable::body_names() const {
+    std::vector<std::string_view> names;
+    for (const std::vector<std::string>* all : {&ball_names_, &edge_names_})
+        for (const std::string& name : *all)
+            if (!name.empty()) names.emplace_back(name);
+    return names;
+}
+
 void SymbolTable::collect_bins() {
     for (std::uint32_t i = 0; i < ir_.zones.size(); ++i) {
         const auto& binding = ir_.edge_bindings[static_cast<std::size_t>(ir_.zones[i].binding)];
@@ -123,6 +157,13 @@ void SymbolTable::fill_in(Scene& scene) {
         const std::string_view base =
             std::string_view(ball_names_[i]).substr(0, ball_names_[i].find('.'));
         group_named(scene.groups, index, base).balls.push_back(world.balls().id[i]);
+    }
+    scene.edge_numbers = edge_numbers_;
+    scene.edge_names = edge_names_;
+    if (!edge_names_.empty() && !edge_numbers_.empty()) {
+        scene.edge_names.clear();
+        for (const std::uint32_t edge : edge_numbers_)
+            scene.edge_names.push_back(edge_names_[edge]);
     }
     for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
         const std::string& name =

@@ -186,6 +186,22 @@ struct FillIr {
     Origin origin;
 };
 
+/// A change to a body that another statement has placed: see amendments.cpp and assemble/amend.h.
+struct AmendmentIr {
+    Span span;
+    // The body: one of these.
+    std::optional<Word> name{};
+    std::optional<std::uint32_t> ball{};  ///< its number, in the order of the file
+    std::optional<std::uint32_t> edge{};
+    bool removes = false;
+    // Of a ball; none: unchanged.
+    std::optional<Vec2> position{};
+    std::optional<Vec2> velocity{};
+    std::optional<double> spin{};
+    std::optional<Vec2> roll{};
+    std::vector<Vec2> ends{};  ///< of an edge: one place, for a peg, or both ends
+};
+
 struct CollideIr {
     Word a;
     Word b;
@@ -272,6 +288,7 @@ struct LevelIr {
     std::vector<RuleTimer> timers;
     std::map<std::string, RuleSymbolIr, std::less<>> rule_symbols;  ///< variables and timers
     std::vector<CollideIr> collides;
+    std::vector<AmendmentIr> amendments;
     std::vector<SpinNeed> spin_needs;
     std::optional<Span> needs_cloth;  ///< the first value that needs `use cloth`
     std::vector<ShowIr> shows;

@@ -93,7 +93,10 @@ struct Scene {
     /// The solver that the level or an option names; none: pick_solver decides.
     std::optional<SolverSettings> solver;
 
-    std::vector<std::string> ball_names;      ///< by ball number; empty where a ball has none
+    std::vector<std::string> ball_names;  ///< by ball number; empty where a ball has none
+    // Edges as `move` and `remove` find them, by capsule id at the start.
+    std::vector<std::string> edge_names;      ///< empty: no edge has a name
+    std::vector<std::uint32_t> edge_numbers;  ///< in the order of the file; empty: those of the ids
     std::vector<std::string> kind_names;      ///< by World::kinds
     std::vector<std::string> material_names;  ///< by World::materials
     std::vector<std::string> zone_names;      ///< by World::zones

@@ -21,6 +21,7 @@ std::vector<Statement>
 pinball_zone_statements();                       ///< devices that a ball enters (pinball_zones.cpp)
 std::vector<Statement> game_statements();        ///< game, on (games.cpp, rules.cpp)
 std::vector<Statement> dress_statements();       ///< paint, label, insert, theme (dress.cpp)
+std::vector<Statement> amendment_statements();   ///< move, remove (amendments.cpp)
 std::vector<Statement> experiment_statements();  ///< show, expect (experiments.cpp)
 
 }  // namespace carom

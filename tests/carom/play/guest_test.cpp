@@ -36,10 +36,10 @@ TEST_CASE("a guest saves levels into its folder, and the oldest gives way") {
     REQUIRE(program.wait_for_text("enter play"));
     program.send("cradle\r");
     REQUIRE(program.wait_for_text("menu"));
-    program.send("w");
-    REQUIRE(program.wait_for_text("saved as cradle-1.level"));
+    program.send("w\r");
+    REQUIRE(program.wait_for_text("Saved as cradle-1.level"));
     usleep(1'100'000);
-    program.send("w");
+    program.send("w\r");
     CHECK(program.wait_for_text("cradle-1.level, the oldest of 1, is gone"));
     program.send("q");
     CHECK(program.exit_status() == 0);

@@ -151,8 +151,8 @@ void play_as_guests(const Client& client, const fs::path& home) {
         REQUIRE(has_begun);
         anna.send("cradle\r");
         REQUIRE(anna.wait_for_text("menu"));
-        anna.send("w");
-        REQUIRE(anna.wait_for_text("saved as cradle-1.level"));
+        anna.send("w\r");
+        REQUIRE(anna.wait_for_text("Saved as cradle-1.level"));
 
         TerminalProgram second(client.play("anna", "carom run /etc/passwd --record /tmp/out"));
         CHECK(second.wait_for_text("enter play", 30.0));  // not what was asked for

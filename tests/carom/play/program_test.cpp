@@ -175,9 +175,8 @@ TEST_CASE("settings changed by keys are kept, and so are a person's comments") {
     std::ofstream(home.preferences()) << "# mine\nrenderer = ascii\nz = quit\n";
     Running running(playing("test.level"), contents(home.preferences()));
     REQUIRE_FALSE(running.program.start());
-    running.key(U'v');
-    running.key(U't');
-    CHECK(contents(home.preferences()) == "# mine\nrenderer = half\nz = quit\ntrails = on\n");
+    running.key(U'm');
+    CHECK(contents(home.preferences()) == "# mine\nrenderer = ascii\nz = quit\nmouse = off\n");
     running.key(U'z');
     CHECK(running.program.is_over());
 }
@@ -188,11 +187,11 @@ TEST_CASE("preferences that cannot be written are reported once, and the game co
     const auto is_told = [&] {
         Running running(playing("test.level"));
         REQUIRE_FALSE(running.program.start());
-        running.key(U't');
+        running.key(U'm');
         const bool told = running.sees("such choices are not kept: cannot");
         running.pass(60.0);
         CHECK_FALSE(running.sees("not kept"));
-        running.key(U't');
+        running.key(U'm');
         CHECK_FALSE(running.sees("not kept"));
         return told;
     };
@@ -205,6 +204,38 @@ TEST_CASE("preferences that cannot be written are reported once, and the game co
     CHECK(fs::is_directory(home.preferences()));
 }
 
+TEST_CASE("found 17: what the view of one level shows stays in that level") {
+    const Home home;
+    home.write("zebra.level", "carom 1 \"Stripes\"\nball a at=0,0\n");
+    Running running({});
+    REQUIRE_FALSE(running.program.start());
+    const auto play = [&](const std::u32string& name) {
+        for (const char32_t c : name)
+            running.key(c);
+        running.key(key::enter);
+    };
+    const auto leave = [&] {
+        running.key(key::escape);
+        REQUIRE(running.sees("a r o m"));
+    };
+    play(U"test");
+    running.key(U'4');
+    CHECK(running.sees("numbers on"));
+    leave();
+    play(U"zebra");
+    running.key(U'4');
+    CHECK(running.sees("numbers on"));
+    leave();
+    play(U"test");
+    running.key(U'4');
+    CHECK(running.sees("numbers off"));
+    running.key(U'4');
+    running.key(U'V');
+    running.key(U'4');
+    CHECK(running.sees("numbers on"));
+    CHECK_FALSE(fs::exists(home.preferences()));
+}
+
 TEST_CASE("an error in the preferences is shown, and the game is played") {
     const Home home;
     Running running(playing("test.level"), "renderer = fancy\n");
@@ -212,23 +243,80 @@ TEST_CASE("an error in the preferences is shown, and the game is played") {
     CHECK(running.sees("preferences:1:12: error"));
 }
 
-TEST_CASE("the state is saved in the current folder, under an unused name") {
+TEST_CASE("found 34: a level is saved under the name that is typed, in its author's words") {
     const Home home;
     Running running(playing("test.level"));
     REQUIRE_FALSE(running.program.start());
     running.pass(0.3);
     running.key(U'w');
-    CHECK(running.sees("saved as test-1.level"));
-    running.pass(2.0);
+    CHECK(running.sees("Save as: test-1_"));
+    for (const char32_t c : std::u32string(U"m/y"))
+        running.key(c);
+    CHECK(running.sees("Save as: my_"));
+    const std::string before = running.look();
+    running.pass(1.0);  // the game waits
+    CHECK(running.look() == before);
+    running.key(key::enter);
+    CHECK(running.sees("Saved as my.level."));
+    const std::string saved = contents("my.level");
+    CHECK(saved.starts_with(level));
+    CHECK(saved.find("\nmove a at=") != std::string::npos);
+    CHECK_FALSE(Running(playing("my.level")).program.start());
+
     running.key(U'w');
-    for (int i = 0; i < 300; ++i) {  // a held key
-        running.pass(0.03);
-        running.key(U'w');
-    }
-    CHECK(fs::exists("test-2.level"));
-    CHECK_FALSE(fs::exists("test-3.level"));
-    CHECK(contents("test-1.level") != contents("test-2.level"));
-    CHECK_FALSE(Running(playing("test-1.level")).program.start());
+    for (const char32_t c : std::u32string(U"my"))
+        running.key(c);
+    running.key(key::enter);
+    CHECK(running.sees("my.level exists already"));
+    CHECK(contents("my.level") == saved);
+
+    running.key(U'w');
+    running.key(key::escape);
+    CHECK_FALSE(running.sees("Save as"));
+    CHECK_FALSE(fs::exists("test-1.level"));
+}
+
+TEST_CASE("the start of a level is saved with the edges that the player has drawn") {
+    const Home home;
+    Running running(playing("test.level"));
+    REQUIRE_FALSE(running.program.start());
+    running.pass(0.3);
+    running.key(U' ');
+    running.look();  // places the camera, by which the cursor moves
+    for (int i = 0; i < 9; ++i)
+        running.key(key::right);
+    running.key(U'e');
+    for (int i = 0; i < 4; ++i)
+        running.key(key::up);
+    running.key(U'e');
+    REQUIRE(running.sees("Edge added"));
+    running.key(U'w');
+    running.key(key::tab);
+    CHECK(running.sees("(its start)"));
+    running.key(key::enter);
+    const std::string saved = contents("test-1.level");
+    CHECK(saved.starts_with(level));
+    CHECK(saved.find("\nedge r=") != std::string::npos);
+    CHECK(saved.find("move") == std::string::npos);
+}
+
+TEST_CASE("a level that cannot be kept in its author's words is saved flat, and says why") {
+    const Home home;
+    Running running(playing("test.level"));
+    REQUIRE_FALSE(running.program.start());
+    running.pass(0.3);
+    running.key(U' ');
+    running.look();
+    running.key(U'e');  // through the place where ball b starts, in the middle of the view
+    for (int i = 0; i < 4; ++i)
+        running.key(key::up);
+    running.key(U'e');
+    running.key(U'w');
+    running.key(key::tab);
+    running.key(key::enter);
+    CHECK(running.sees("Saved flat as test-1-flat.level"));
+    CHECK_FALSE(fs::exists("test-1.level"));
+    CHECK_FALSE(Running(playing("test-1-flat.level")).program.start());
 }
 
 TEST_CASE("the mouse is left to the terminal and taken again") {

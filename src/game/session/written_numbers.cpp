@@ -1,0 +1,42 @@
+#include "game/session/written_numbers.h"
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/elementary.h"
+
+namespace carom {
+namespace {
+
+/// The number that the loader, modelled by `read`, turns into exactly `wanted`. Searches within a
+/// few units in the last place of the guess.
+template <typename Read>
+double unread(double guess, double wanted, Read read) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double below = guess;
+    double above = guess;
+    for (int i = 0; i < 8; ++i) {
+        if (read(below) == wanted) return below;
+        if (read(above) == wanted) return above;
+        below = std::nextafter(below, -infinity);
+        above = std::nextafter(above, infinity);
+    }
+    return guess;
+}
+
+}  // namespace
+
+double mass_of(double inverse_mass) {
+    return 1.0 / inverse_mass;
+}
+
+double degrees_of(double radians) {
+    return unread(radians * 180.0 / pi, radians, [](double x) { return x * pi / 180.0; });
+}
+
+double spin_of(double spin) {
+    constexpr double degrees = 180.0 / pi;
+    return unread(spin, spin, [](double x) { return x * degrees / degrees; });
+}
+
+}  // namespace carom
