@@ -41,6 +41,9 @@ struct BallPaint {
     Tones tones;
     std::optional<Tones> band;  ///< of a striped ball: its stripe; `tones` above and below it
     std::uint8_t attributes = plain;
+    /// The columns of a number that is written on it: its middle then is that of those cells. 0:
+    /// none.
+    int number_width = 0;
     bool is_lit = false;  ///< shaded as a sphere, with a highlight at the upper left
 };
 
@@ -67,6 +70,9 @@ class Raster {
     /// pixels, so a ball has the same shape wherever it is. Its diameter is rounded down, to a
     /// pixel at least.
     void ball(RasterPoint center, double radius, const BallPaint& paint);
+    /// Renderers with pixels: the soft shadow of a ball that lies on a surface, to its lower right.
+    /// A ball of few pixels has none.
+    void ball_shadow(RasterPoint center, double radius, const BallPaint& paint, Color color);
     /// A capsule, drawn at least a hairline thick. All of it is inside.
     void capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush);
     /// A hairline from start to end, `strength` (0 to 255) of full.
@@ -90,6 +96,8 @@ class Raster {
         int last = -1;
     };
 
+    template <class Paint>
+    void paint_ball(RasterPoint center, double radius, int number_width, Paint paint);
     template <class Coverage>
     void paint_cell(int column, int row, const Brush& brush, Coverage coverage);
     template <class SpanAt, class Inside, class Coverage>
@@ -98,6 +106,8 @@ class Raster {
     template <class Coverage>
     void paint_pixels(CellSamples& cell, RasterPoint corner, const Brush& brush, Coverage coverage);
     void thin_line(RasterPoint start, RasterPoint end, const Brush& brush);
+    RasterPoint middle_of_number(RasterPoint center, int width) const;
+    void blend_pixel(int column, int row, const Ink& ink, double opacity);
     void blend(CellSamples& cell, std::size_t pixel, const Ink& ink, double opacity);
     std::uint8_t tone_of_sample(std::uint8_t tone, int sample) const;
     void fill_cell(CellSamples& cell, const Brush& brush);

@@ -25,12 +25,19 @@ struct Extent {
 
 // Snapped to whole pixels: the middle of the ball is the middle of a pixel or a border, so that the
 // same pixels are covered wherever it is. `is_sharp`: the diameter is whole too.
-Extent extent_of(double center, double diameter, bool is_snapped, bool is_sharp, int count) {
+// `is_under_number`: the middle stays where it is.
+Extent extent_of(double center, double diameter, bool is_snapped, bool is_sharp,
+                 bool is_under_number, int count) {
     Extent extent;
     extent.size = diameter;
     extent.first = center - 0.5 * diameter;
     if (is_snapped) {
-        const double whole = std::max(1.0, std::floor(diameter + rounding));
+        double whole = std::max(1.0, std::floor(diameter + rounding));
+        if (is_under_number) {
+            const bool is_odd = center != std::floor(center);
+            if (is_odd != (static_cast<int>(std::min(whole, 1e6)) % 2 == 1))
+                whole += diameter >= whole || whole < 2.0 ? 1.0 : -1.0;
+        }
         const double first = std::round(center - 0.5 * whole);
         if (is_sharp) extent.size = whole;
         extent.size = std::max(extent.size, 1.0);
@@ -59,40 +66,85 @@ Color lit_tone(const Tones& tones, double x, double y, int pixels) {
     return tones.base;
 }
 
+/// A pixel that a ball covers.
+struct PixelOfBall {
+    double x = 0.0;  ///< from -1 to 1 across the ball; y downwards
+    double y = 0.0;
+    int column = 0;
+    int row = 0;
+    int pixels = 0;       ///< across the ball
+    bool is_low = false;  ///< the ball has fewer than three rows
+    double cover = 0.0;   ///< the covered share of the pixel
+};
+
 }  // namespace
 
-void Raster::ball(RasterPoint center, double radius, const BallPaint& paint) {
+// The middle of the cells that a number of this width covers when it is written on the ball.
+RasterPoint Raster::middle_of_number(RasterPoint center, int width) const {
+    const double half = 0.5 * width;
+    return {std::floor(center.x - half + 0.5) + half,
+            (std::floor(center.y / aspect_) + 0.5) * aspect_};
+}
+
+// Calls paint(const PixelOfBall&) for each of them.
+template <class Paint>
+void Raster::paint_ball(RasterPoint center, double radius, int number_width, Paint paint) {
     if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(radius)) return;
     if (!renderer_->has_pixels() || !(radius >= 0.0)) return;
     const double across = 2.0 * radius / width_;
     const double down = 2.0 * radius / height_;
-    const bool is_snapped = is_sharp_ || std::min(across, down) <= most_snapped;
+    const bool has_number = number_width > 0;
+    if (has_number) center = middle_of_number(center, number_width);
+    const bool is_snapped = has_number || is_sharp_ || std::min(across, down) <= most_snapped;
     const Extent columns =
-        extent_of(center.x / width_, across, is_snapped, is_sharp_, samples_across());
-    const Extent rows = extent_of(center.y / height_, down, is_snapped, is_sharp_, samples_down());
-    const int pixels = static_cast<int>(std::min({columns.size, rows.size, 1000.0}));
-    // A stripe is half as high as the ball; where there are two rows, it is the lower one.
-    const bool has_room = rows.size >= 3.0;
-    for (int row = rows.begin; row < rows.end; ++row) {
-        const double y = place_in(rows, row);
-        const bool is_band = paint.band && (has_room ? std::abs(y) < 0.5 : y > 0.0);
-        const Tones& tones = is_band ? *paint.band : paint.tones;
-        for (int column = columns.begin; column < columns.end; ++column) {
-            const double x = place_in(columns, column);
-            const double distance = std::sqrt(x * x + y * y);
+        extent_of(center.x / width_, across, is_snapped, is_sharp_, has_number, samples_across());
+    const Extent rows =
+        extent_of(center.y / height_, down, is_snapped, is_sharp_, has_number, samples_down());
+    PixelOfBall at;
+    at.pixels = static_cast<int>(std::min({columns.size, rows.size, 1000.0}));
+    at.is_low = rows.size < 3.0;
+    for (at.row = rows.begin; at.row < rows.end; ++at.row) {
+        at.y = place_in(rows, at.row);
+        for (at.column = columns.begin; at.column < columns.end; ++at.column) {
+            at.x = place_in(columns, at.column);
+            const double distance = std::sqrt(at.x * at.x + at.y * at.y);
             // The border, in pixels along its normal, and the width over which it crosses one.
-            const double width = distance < 1e-9 ? 1.0 : (std::abs(x) + std::abs(y)) / distance;
+            const double width =
+                distance < 1e-9 ? 1.0 : (std::abs(at.x) + std::abs(at.y)) / distance;
             const double depth = 0.5 * (1.0 - distance) * std::min(columns.size, rows.size);
-            double cover = std::clamp(depth / width + 0.5, 0.0, 1.0);
-            if (is_sharp_) cover = cover >= 0.5 ? 1.0 : 0.0;
-            if (cover <= 0.0) continue;
-            const bool is_shaded = paint.is_lit && pixels >= least_shaded;
-            const Color color = is_shaded ? lit_tone(tones, x, y, pixels) : tones.base;
-            CellSamples& cell = cell_at(column / renderer_->across, row / renderer_->down);
-            const int i = row % renderer_->down * renderer_->across + column % renderer_->across;
-            blend(cell, static_cast<std::size_t>(i), visible({color, paint.attributes}), cover);
+            at.cover = std::clamp(depth / width + 0.5, 0.0, 1.0);
+            if (is_sharp_) at.cover = at.cover >= 0.5 ? 1.0 : 0.0;
+            if (at.cover > 0.0) paint(at);
         }
     }
+}
+
+void Raster::blend_pixel(int column, int row, const Ink& ink, double opacity) {
+    if (column >= samples_across() || row >= samples_down()) return;
+    CellSamples& cell = cell_at(column / renderer_->across, row / renderer_->down);
+    const int i = row % renderer_->down * renderer_->across + column % renderer_->across;
+    blend(cell, static_cast<std::size_t>(i), visible(ink), opacity);
+}
+
+void Raster::ball(RasterPoint center, double radius, const BallPaint& paint) {
+    paint_ball(center, radius, paint.number_width, [&](const PixelOfBall& at) {
+        // A stripe is half as high as the ball; where there are two rows, it is the lower one.
+        const bool is_band = paint.band && (at.is_low ? at.y > 0.0 : std::abs(at.y) < 0.5);
+        const Tones& tones = is_band ? *paint.band : paint.tones;
+        const bool is_shaded = paint.is_lit && at.pixels >= least_shaded;
+        const Color color = is_shaded ? lit_tone(tones, at.x, at.y, at.pixels) : tones.base;
+        blend_pixel(at.column, at.row, {color, paint.attributes}, at.cover);
+    });
+}
+
+void Raster::ball_shadow(RasterPoint center, double radius, const BallPaint& paint, Color color) {
+    constexpr double darkness = 0.42;
+    paint_ball(center, radius, paint.number_width, [&](const PixelOfBall& at) {
+        if (at.pixels < least_shaded) return;
+        // By whole pixels, so that the shadow has one shape wherever the ball is.
+        const int away = std::max(1, at.pixels / 7);
+        blend_pixel(at.column + away, at.row + away, {color, plain}, darkness * at.cover);
+    });
 }
 
 }  // namespace carom

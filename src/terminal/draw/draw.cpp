@@ -43,6 +43,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     if (area.columns <= 0 || area.rows <= 0) return;
 
     remember_fastest(memory, world);
+    note_impacts(memory, world, contacts);
     std::vector<Ink> inks = ball_inks(world, options, memory);
     if (options.color_by == ColorBy::kind) dress_balls(inks, scene, world, options.look);
     memory.ground.update(scene, camera, renderer_in_force(options), options.look);
@@ -69,12 +70,14 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_lit_edges(raster, view);
     const bool shows_balls = annotations.copies.empty();
     paint_cradles(raster, view);
+    if (shows_balls) paint_shadows(raster, view);
     if (shows_balls) paint_balls(raster, view, Level::board);
     if (has_level_above(view)) {
         paint_areas_above(raster, view);
         paint_edges(raster, view, Level::above);
         if (shows_balls) paint_balls(raster, view, Level::above);
     }
+    if (shows_balls) paint_flashes(raster, view);
     paint_overlays_above(raster, view);
     paint_pool(raster, view);
     paint_annotations(raster, view);
@@ -87,6 +90,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
         write_labels(canvas, view);
     write_board_labels(canvas, view);
     write_insert_names(canvas, view);
+    write_scale(canvas, view);
     write_annotations(canvas, view);
     memory.ground.lay(canvas);
     write_banner(canvas, view);

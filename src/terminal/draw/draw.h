@@ -83,6 +83,13 @@ struct Annotations {
     std::vector<Vec2> marks;  ///< places to look at: a divergence, a collision, what is in the way
 };
 
+/// A hard impact that still shows.
+struct ImpactFlash {
+    Vec2 place;
+    double radius = 0.0;     ///< of the ball, length
+    std::uint64_t tick = 0;  ///< when it happened
+};
+
 /// What a picture needs to know about earlier pictures. One for each view; start afresh for each
 /// level.
 struct ViewMemory {
@@ -90,6 +97,8 @@ struct ViewMemory {
     GroundLayer ground;
     double fastest = 0.0;    ///< the recent top speed of the balls, length/s
     std::uint64_t tick = 0;  ///< the world's tick when it was last drawn
+    std::vector<ImpactFlash> flashes;
+    std::uint64_t flashed_at = 0;  ///< the tick whose impacts were noted last
 };
 
 /// Draws into camera.area, which is blanked first; nothing outside is touched. `world` may be ahead

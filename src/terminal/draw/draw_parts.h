@@ -66,6 +66,11 @@ void paint_edges(Raster& raster, const View& view, Level level);
 void paint_balls(Raster& raster, const View& view, Level level);
 /// The frames and strings of cradles, behind their balls.
 void paint_cradles(Raster& raster, const View& view);
+/// Adds the hard impacts of the last tick to the flashes, and forgets those that are over.
+void note_impacts(ViewMemory& memory, const World& world, std::span<const Contact> contacts);
+void paint_flashes(Raster& raster, const View& view);
+/// The shadows of pool balls on their cloth, all of them before the first ball.
+void paint_shadows(Raster& raster, const View& view);
 /// The areas that the level paints above its board: see-through.
 void paint_areas_above(Raster& raster, const View& view);
 void paint_cloud(Raster& raster, const View& view);
@@ -85,6 +90,10 @@ void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolAnno
 /// Whether the ball is a stripe of pool, white with a band in its colour.
 bool is_striped(const View& view, std::size_t ball);
 
+/// The columns of the number that is written on a ball of pool; 0: none. Among pixels a number is
+/// left out where it would not lie within its ball, unless the ball is too small to look round.
+int number_width(const View& view, std::size_t ball);
+
 /// Gives the balls of a pinball table the look of steel.
 void polish_balls(std::vector<Ink>& inks, const View& view);
 
@@ -96,6 +105,8 @@ void write_insert_names(Canvas& canvas, const View& view);
 void write_banner(Canvas& canvas, const View& view);
 /// The labels of the level.
 void write_board_labels(Canvas& canvas, const View& view);
+/// What the colours stand for, where they are a scale: of speed, in length/s, or of mass.
+void write_scale(Canvas& canvas, const View& view);
 void write_counters(Canvas& canvas, const View& view);
 void write_labels(Canvas& canvas, const View& view);
 /// Whether the ball's number replaces the characters that ASCII has for a ball.

@@ -118,6 +118,22 @@ void paint_cue(Raster& raster, const View& view, const PoolAnnotations::Line& st
     }
 }
 
+// Cells that a number covers: first <= column < last.
+struct NumberPlace {
+    int row = 0;
+    int first = 0;
+    int last = 0;
+};
+
+// Whether no earlier number is there. Takes the place if so.
+bool is_free(std::vector<NumberPlace>& taken, const NumberPlace& place) {
+    for (const NumberPlace& other : taken)
+        if (other.row == place.row && place.first < other.last && other.first < place.last)
+            return false;
+    taken.push_back(place);
+    return true;
+}
+
 }  // namespace
 
 void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolAnnotations& pool,
@@ -176,16 +192,30 @@ bool hides_stamp(const View& view, BallId ball) {
            number_of(*view.annotations.pool, ball) > 0;
 }
 
+int number_width(const View& view, std::size_t ball) {
+    if (!view.annotations.pool || view.options.labels != Labels::automatic) return 0;
+    const int number = number_of(*view.annotations.pool, view.world.balls().id[ball]);
+    const double radius = view.world.balls().radius[ball];
+    const double diameter = 2.0 * radius * view.camera.columns_per_length;
+    constexpr double least = 0.8;  // columns
+    if (number <= 0 || diameter < least) return 0;
+    const int width = static_cast<int>(label_of(view, number, radius).size());
+    constexpr int least_round = 3;   // pixels
+    constexpr double margin = 0.75;  // columns
+    const Renderer& renderer = renderer_in_force(view.options);
+    const bool is_round = renderer.has_pixels() && diameter * renderer.across >= least_round;
+    return is_round && diameter < width + margin ? 0 : width;
+}
+
 void write_numbers(Canvas& canvas, const View& view) {
-    if (!view.annotations.pool || view.options.labels == Labels::none) return;
-    constexpr double least_radius = 0.4;  // columns
+    if (!view.annotations.pool) return;
     const Look& look = view.options.look;
     const CellArea& area = view.camera.area;
+    std::vector<NumberPlace> taken;
     for (const PoolAnnotations::Number& ball : view.annotations.pool->numbers) {
         const auto index = index_of(view.world, ball.ball);
         if (!index || ball.number == 0) continue;
-        if (view.world.balls().radius[*index] * view.camera.columns_per_length < least_radius)
-            continue;
+        if (number_width(view, *index) == 0) continue;
         const std::string text = label_of(view, ball.number, view.world.balls().radius[*index]);
         const CellPoint at = to_cells(view.camera, view.world.balls().position[*index]);
         const int width = static_cast<int>(text.size());
@@ -193,6 +223,9 @@ void write_numbers(Canvas& canvas, const View& view) {
         const int first = static_cast<int>(std::floor(at.column - 0.5 * width + 0.5));
         if (row < area.row || row >= area.row + area.rows || first < area.column ||
             first + width > area.column + area.columns)
+            continue;
+        if (renderer_in_force(view.options).has_pixels() &&
+            !is_free(taken, {row, first, first + width}))
             continue;
         const bool is_white = is_stripe(ball.number);
         if (!look.has_colors()) {

@@ -74,6 +74,7 @@ BallPaint ball_paint(const View& view, std::size_t ball) {
     const Look& look = view.options.look;
     BallPaint paint;
     paint.tones = tones_of(view.inks[ball].color, look);
+    paint.number_width = number_width(view, ball);
     paint.attributes = view.inks[ball].attributes;
     paint.is_lit = look.has_shades() && view.world.balls().size() <= most_lit_balls;
     if (is_striped(view, ball)) {

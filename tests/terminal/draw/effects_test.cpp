@@ -1,0 +1,165 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "terminal/canvas/raster.h"
+#include "terminal/draw/draw.h"
+
+using namespace carom;
+
+namespace {
+
+Scene table_with_ball(double radius) {
+    Scene scene;
+    scene.view = {{0, 0}, {40, 20}};
+    scene.world.edit_definition().kinds.resize(1);
+    BallSpec spec;
+    spec.position = {20, 10};
+    spec.radius = radius;
+    spec.velocity = {10, 0};
+    add_ball(scene.world, spec);
+    return scene;
+}
+
+Canvas drawn(const Scene& scene, const ViewOptions& options, ViewMemory& memory,
+             const Annotations& annotations = {}, std::span<const Contact> contacts = {}) {
+    Canvas canvas(40, 10);
+    draw_world(canvas, fit_camera(scene.view, {0, 0, 40, 10}, 2.0), scene, scene.world, contacts,
+               annotations, options, memory);
+    return canvas;
+}
+
+Canvas drawn(const Scene& scene, const ViewOptions& options, const Annotations& annotations = {},
+             std::span<const Contact> contacts = {}) {
+    ViewMemory memory;
+    return drawn(scene, options, memory, annotations, contacts);
+}
+
+ViewOptions in(const Renderer& renderer) {
+    ViewOptions options;
+    options.renderer = &renderer;
+    return options;
+}
+
+Annotations numbered(int number) {
+    Annotations annotations;
+    annotations.pool.emplace();
+    annotations.pool->numbers.push_back({BallId{0}, number});
+    return annotations;
+}
+
+bool are_equal(const Canvas& a, const Canvas& b) {
+    for (int row = 0; row < a.rows(); ++row)
+        for (int column = 0; column < a.columns(); ++column)
+            if (!(a.at(column, row) == b.at(column, row))) return false;
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("effects: the number of a pool ball is in its middle wherever the ball lies") {
+    for (const int number : {3, 12}) {
+        const std::string text = std::to_string(number);
+        for (const double radius : {0.75, 1.1, 1.4}) {  // without a shadow
+            for (int step = 0; step < 12; ++step) {
+                Scene scene = table_with_ball(radius);
+                scene.world.edit_balls().position[0] = {20.0 + step / 12.0, 10.0 + step / 7.0};
+                const Canvas canvas = drawn(scene, in(half_block_renderer()), numbered(number));
+                for (int row = 0; row < canvas.rows(); ++row) {
+                    for (int column = 0; column + 1 < canvas.columns(); ++column) {
+                        if (canvas.at(column, row).glyph != static_cast<char32_t>(text[0]))
+                            continue;
+                        // As much of the ball to the left as to the right.
+                        const auto shows_ball = [&](int at) {
+                            return canvas.at(at, row).glyph != U' ' ||
+                                   canvas.at(at, row).background != default_color;
+                        };
+                        int left = column;
+                        while (shows_ball(left - 1))
+                            --left;
+                        int right = column + static_cast<int>(text.size()) - 1;
+                        while (shows_ball(right + 1))
+                            ++right;
+                        CAPTURE(radius);
+                        CAPTURE(step);
+                        CHECK(column - left ==
+                              right - (column + static_cast<int>(text.size()) - 1));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("effects: a number that would not lie within its ball is left out") {
+    const auto has_number = [](double radius) {
+        return drawn(table_with_ball(radius), in(octant_renderer()), numbered(12))
+                   .text()
+                   .find("12") != std::string::npos;
+    };
+    CHECK_FALSE(has_number(1.0));
+    CHECK(has_number(2.0));
+}
+
+TEST_CASE("effects: a pool ball has a shadow to its lower right, a ball of few pixels none") {
+    const auto shadow_of = [](int pixels) {
+        Raster raster(half_block_renderer(), 20, 10, 2.0);
+        raster.ball_shadow({10.0, 10.0}, 0.5 * pixels, {}, direct_color({0, 0, 0}));
+        int lit = 0;
+        int right_of_ball = 0;
+        for (int down = 0; down < raster.samples_down(); ++down)
+            for (int across = 0; across < raster.samples_across(); ++across) {
+                if (raster.level_at(across, down) == 0) continue;
+                ++lit;
+                right_of_ball += across >= 10 + pixels / 2;
+                CHECK(across > 10 - pixels / 2);
+                CHECK(down > 10 - pixels / 2);
+            }
+        CHECK((lit > 0) == (right_of_ball > 0));
+        return lit;
+    };
+    CHECK(shadow_of(2) == 0);
+    CHECK(shadow_of(4) > 0);
+    CHECK(shadow_of(8) > 0);
+}
+
+TEST_CASE("effects: a hard impact flashes for a moment, a soft one does not") {
+    Scene scene = table_with_ball(2.0);
+    Contact contact;
+    contact.point = {22, 10};
+    contact.approach = 10.0;
+    const ViewOptions options = in(half_block_renderer());
+    scene.world.edit_tick() = 5;
+    const Canvas quiet = drawn(scene, options);
+    ViewMemory memory;
+    CHECK_FALSE(are_equal(drawn(scene, options, memory, {}, {&contact, 1}), quiet));
+    // It still shows while the world stands, and is over a second later.
+    CHECK_FALSE(are_equal(drawn(scene, options, memory), quiet));
+    scene.world.edit_tick() += static_cast<std::uint64_t>(scene.world.rate());
+    CHECK(are_equal(drawn(scene, options, memory), quiet));
+    CHECK(memory.flashes.empty());
+    contact.approach = 1.0;
+    CHECK(are_equal(drawn(scene, options, {}, {&contact, 1}), quiet));
+    // Characters have no light.
+    contact.approach = 10.0;
+    const ViewOptions ascii = in(ascii_renderer());
+    CHECK(are_equal(drawn(scene, ascii, {}, {&contact, 1}), drawn(scene, ascii)));
+}
+
+TEST_CASE("effects: colours by speed or mass have a scale, where there are colours") {
+    const Scene scene = table_with_ball(2.0);
+    ViewOptions options = in(half_block_renderer());
+    options.color_by = ColorBy::speed;
+    CHECK(drawn(scene, options).text().find(" 0 ██████████ 10/s") != std::string::npos);
+    options.color_by = ColorBy::mass;
+    Canvas wide(60, 10);
+    ViewMemory memory;
+    draw_world(wide, fit_camera(scene.view, {0, 0, 60, 10}, 2.0), scene, scene.world, {}, {},
+               options, memory);
+    CHECK(wide.text().find("light ██████████ heavy") != std::string::npos);
+    options.color_by = ColorBy::kind;
+    CHECK(drawn(scene, options).text().find("heavy") == std::string::npos);
+    options.color_by = ColorBy::speed;
+    options.look = {0, false, false};
+    CHECK(drawn(scene, options).text().find("10/s") == std::string::npos);
+}
