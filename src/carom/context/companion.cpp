@@ -76,8 +76,8 @@ bool Companion::is_behind(const Session& session) const {
 std::string Companion::text() const {
     if (comparison_) {
         const auto& divergence = comparison_->divergence();
-        if (!divergence) return fmt::format("together since t={:.3f}", comparison_->start_time());
-        return fmt::format("parted at t={:.3f}, ball {}", divergence->time,
+        if (!divergence) return fmt::format("identical since t={:.3f}", comparison_->start_time());
+        return fmt::format("diverged at t={:.3f}, ball {}", divergence->time,
                            number(divergence->ball));
     }
     if (!ensemble_) return {};

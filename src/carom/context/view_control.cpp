@@ -39,7 +39,7 @@ void next_overlay(PlayContext& play) {
     for (std::size_t i = 0; i < overlays().size(); ++i)
         if (shown[i]) next = i + 1;
     shown = {};
-    if (next == overlays().size()) return say(play, "no overlay");
+    if (next == overlays().size()) return say(play, "overlays off");
     shown[next] = true;
     say(play, std::string(overlays()[next].title));
 }
@@ -61,7 +61,7 @@ void toggle_outlines(PlayContext& play) {
 
 void toggle_histogram(PlayContext& play) {
     if (!Panels::has_histogram(play.session.scene()))
-        return say(play, "this level shows no histogram");
+        return say(play, "This level has no histogram.");
     play.panels.toggle_histogram();
 }
 
@@ -80,11 +80,11 @@ void toggle_following(PlayContext& play) {
 
 void reset_view(PlayContext& play) {
     play.view.reset();
-    say(play, "view: back to the defaults");
+    say(play, "View reset.");
 }
 
 void next_comparison(PlayContext& play) {
-    if (!play.companion.next_comparison(play.session)) say(play, "one solver alone");
+    if (!play.companion.next_comparison(play.session)) say(play, "Split view off.");
 }
 
 void toggle_ensemble(PlayContext& play) {
@@ -92,9 +92,9 @@ void toggle_ensemble(PlayContext& play) {
         case Companion::EnsembleState::running:
             return;
         case Companion::EnsembleState::ended:
-            return say(play, "the butterfly is gone");
+            return say(play, "Butterfly off.");
         case Companion::EnsembleState::too_large:
-            return complain(play, "too many balls for 200 copies of them");
+            return complain(play, "Too many balls for 200 copies.");
     }
 }
 

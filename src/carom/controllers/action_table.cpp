@@ -44,7 +44,7 @@ void escape(Play& play) {
 void toggle_bell(Pinball&, Play& play) {
     play.terminal.rings = !play.terminal.rings;
     play.terminal.bell_is_due = play.terminal.rings;
-    say(play, play.terminal.rings ? "the terminal's bell rings for what kicks" : "no bell");
+    say(play, play.terminal.rings ? "bell on" : "bell off");
 }
 
 template <PlayRequest request>
@@ -111,9 +111,9 @@ constexpr Action rows[] = {
     {"undo", "u", "undo the last change", playing, [](Play& play) { undo(play); },
      [](Pool& table, Play& play) { return table.undo_shot(play), true; }},
 
-    {"aim-left", "; ctrl-left", "aim a hair to the left", pool,
+    {"aim-left", "; ctrl-left", "aim slightly left", pool,
      [](Pool& table, Play& play) { table.turn_finely(play, 1); }},
-    {"aim-right", "' ctrl-right", "aim a hair to the right", pool,
+    {"aim-right", "' ctrl-right", "aim slightly right", pool,
      [](Pool& table, Play& play) { table.turn_finely(play, -1); }},
     {"next-pot", "}", "aim at the next pot, easiest first", pool,
      [](Pool& table, Play& play) { table.next_pot(play, false); }},

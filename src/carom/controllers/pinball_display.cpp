@@ -249,7 +249,7 @@ void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const Pi
     if (initials)
         panel.call = "YOUR INITIALS: " + *initials + std::string(3 - initials->size(), '_');
     else if (state.phase == PinballState::Phase::over)
-        panel.call = "ENTER BEGINS A GAME";
+        panel.call = "PRESS ENTER TO START";
     else if (is_demonstrating)
         panel.call = "DEMONSTRATION";
     int rank = 0;

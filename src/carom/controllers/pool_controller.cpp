@@ -91,7 +91,7 @@ bool PoolController::edit_nothing(PlayContext& play) const {
 }
 
 void PoolController::skip_to_rest(PlayContext& play) {
-    if (!are_rolling(play)) return say(play, "the balls are at rest");
+    if (!are_rolling(play)) return say(play, "The balls are at rest.");
     play.clock.hurry();
 }
 
@@ -122,7 +122,7 @@ bool PoolController::move_tip(const PlayContext& play, int side, int follow) {
 
 bool PoolController::explain_cue(PlayContext& play) const {
     if (!aims_with_keys(play) && !has_turns(play.session)) return false;
-    say(play, "the arrows aim, enter shoots; or drag with the right button");
+    say(play, "Arrows aim, enter shoots; or drag with the right button.");
     return true;
 }
 
@@ -153,13 +153,13 @@ void PoolController::place_cue_ball(PlayContext& play) {
         return pointer.tool.cancel(play.session);
     }
     if (!is_aiming(play) || !aim_.may_place(play.session))
-        return say(play, "the ball is not in hand");
+        return say(play, "The cue ball is not in hand.");
     const World& world = play.session.world();
     const BallId ball = *aim_.cue_ball(play.session);
     pointer.at = world.balls().position[*index_of(world, ball)];
     pointer.tool.grab_to_place(world, ball, pointer.at);
     pointer.shows_cursor = true;
-    say(play, "move the ball with the arrows; p or enter puts it down");
+    say(play, "Move the ball with the arrows; p or enter puts it down.");
 }
 
 bool PoolController::set_opponent(const Session& session, int skill) {
@@ -171,18 +171,18 @@ bool PoolController::set_opponent(const Session& session, int skill) {
 
 void PoolController::next_opponent(PlayContext& play) {
     const int next = (opponent() + 1) % (most_skill + 1);
-    if (!set_opponent(play.session, next)) return say(play, "there is no game of pool here");
+    if (!set_opponent(play.session, next)) return say(play, "No game of pool is played here.");
     say(play, next > 0 ? fmt::format("against carom, {} of {}: {}; you have {}", next, most_skill,
                                      skill_text(next), hand_text(hand()))
                        : "two players");
 }
 
 void PoolController::ask_coach(PlayContext& play) {
-    if (is_match(play.session)) return say(play, "there is no coach in a match");
+    if (is_match(play.session)) return say(play, "There is no coach in a match.");
     if (!pool_of(play.session) || !is_aiming(play))
-        return say(play, "the coach speaks when you are to shoot");
+        return say(play, "The coach speaks when it is your turn.");
     coach_.ask();
-    say(play, "the coach thinks");
+    say(play, "The coach is thinking.");
 }
 
 // The coach proposes one shot at a time, and sets it up.
@@ -204,7 +204,7 @@ void PoolController::hear_coach(PlayContext& play) {
 
 // Goes back to the player's own last turn.
 void PoolController::undo_shot(PlayContext& play) {
-    if (is_match(play.session)) return say(play, "in a match no shot is taken back");
+    if (is_match(play.session)) return say(play, "No shot can be undone in a match.");
     opponent_.hesitate();
     if (!undo(play)) return;
     while (opponent_.is_turn(play.session) && play.session.undo()) {

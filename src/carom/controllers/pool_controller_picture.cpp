@@ -79,7 +79,7 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     if (are_rolling(play)) return hint("to-rest", "skip until they rest");
     if (stroke_.meter()) {
         hint("grab", "strike");
-        hint("menu", "no stroke");
+        hint("menu", "No stroke.");
     }
     if (!is_aiming(play)) return;
     const bool in_match = is_match(play.session);

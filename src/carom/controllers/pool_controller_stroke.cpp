@@ -37,7 +37,7 @@ void PoolController::pass(PlayContext& play, double seconds) {
     if (play.terminal.key_repeat) stroke_.remember(*play.terminal.key_repeat);
     if (stroke_.meter()) play.needs_draw = true;
     if (stroke_.meter() && !is_striking(play)) stroke_.end();
-    if (!stroke_.pass(seconds)) say(play, "no stroke: the time was missed");
+    if (!stroke_.pass(seconds)) say(play, "No stroke: too late.");
     if (aim_.work(play.session)) play.needs_draw = true;
     opponent_.play(play, seconds);
     hear_coach(play);
@@ -124,7 +124,7 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
         return true;
     }
     if (!is_aiming(play)) {
-        if (opponent_.is_turn(play.session)) say(play, "it is carom's turn");
+        if (opponent_.is_turn(play.session)) say(play, "It is carom's turn.");
         const PoolPlay* const pool = pool_of(play.session);
         const ShotsState* const shots = shots_of(play.session);
         const auto why_not = pool && cue ? refusal_to_shoot(*pool, *cue)
@@ -151,7 +151,7 @@ bool PoolController::take_release(PlayContext& play) {
     play.pointer.tool.forget();
     if (is_match(play.session)) {
         stroke_.end();
-        say(play, "pull the cue back, then push it through the place where you took it");
+        say(play, "Pull the cue back, then push it through where you took it.");
         return true;
     }
     const World& world = play.session.world();
@@ -192,7 +192,8 @@ bool PoolController::shoot_with_key(PlayContext& play) {
     }
     if (keeps_cue(play)) {
         if (are_rolling(play))
-            say(play, fmt::format("the balls still roll: {} skips", play.keys.hint("to-rest")));
+            say(play, fmt::format("The balls are still rolling. {} skips to rest.",
+                                  play.keys.hint("to-rest")));
         return true;
     }
     if (!has_turns(play.session)) return false;
@@ -205,15 +206,15 @@ bool PoolController::shoot_with_key(PlayContext& play) {
 bool PoolController::give_up_stroke(PlayContext& play) {
     if (!stroke_.meter()) return false;
     stroke_.end();
-    say(play, "no stroke");
+    say(play, "No stroke.");
     return true;
 }
 
 void PoolController::next_hand(PlayContext& play) {
     const PoolPlay* const pool = pool_of(play.session);
-    if (!pool) return say(play, "there is no game of pool here");
+    if (!pool) return say(play, "No game of pool is played here.");
     if (is_match(play.session) && pool->shooter)
-        return say(play, "the hand is chosen before the break");
+        return say(play, "Choose your skill before the break.");
     set_hand(hand() % most_hand + least_hand);
     say(play,
         fmt::format("in a match you have {}, {} of {}", hand_text(hand()), hand(), most_hand));

@@ -14,7 +14,8 @@ WatchController::WatchController(const Session& session) {
 }
 
 void WatchController::perform(PlayContext& play, const Action& action) {
-    if (action.where != Where::anywhere) return say(play, "a recording is only watched");
+    if (action.where != Where::anywhere)
+        return say(play, "This is a recording: you can only watch.");
     if (const auto* perform = std::get_if<void (*)(PlayContext&)>(&action.perform))
         (*perform)(play);
 }

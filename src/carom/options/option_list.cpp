@@ -210,7 +210,7 @@ void add_play(CLI::App& app, PlayOptions& options) {
         options.opponent, count(1, 4, "--opponent is 1, 2, 3 or 4"));
     play.add({"--demo", "", "At pinball, carom plays until you press a button of the table"},
              options.demo);
-    play.add({"--resume", "", "Take up the session that was cut off or left"}, options.resume);
+    play.add({"--resume", "", "Resume the unfinished game"}, options.resume);
 }
 
 void add_run(CLI::App& app, RunOptions& options) {

@@ -93,7 +93,7 @@ Request request_of(const CLI::App* command, CommandOptions& options) {
 
 Request parse_options(int count, const char* const* arguments) {
     CLI::App app(
-        "carom: balls and edges in a terminal, on physics that can be trusted.\n"
+        "carom: pool, pinball and a physics laboratory, with physics you can trust.\n"
         "Without a command it opens the menu.",
         "carom");
     app.set_version_flag("--version", fmt::format("carom {}", version()));

@@ -71,7 +71,7 @@ std::string candidate_text(const Scene& scene, const CandidateShot& shot) {
     const double side = shot.strike.side;
     if (follow != 0.0) text += fmt::format(", {}", follow > 0.0 ? "follow" : "draw");
     if (side != 0.0) text += fmt::format(", {} side", side > 0.0 ? "right" : "left");
-    text += fmt::format(": goes on {:.0f} %", 100.0 * shot.success);
+    text += fmt::format(": {:.0f} % chance to continue", 100.0 * shot.success);
     if (shot.leaves) text += ", then " + name_of(*shot.leaves);
     return text;
 }

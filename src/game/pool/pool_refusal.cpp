@@ -74,7 +74,7 @@ Refusal refused(const Scene&, const World& world, const PoolPlay&, const command
 
 template <typename Other>
 Refusal refused(const Scene&, const World&, const PoolPlay&, const Other&) {
-    return "in this game only the cue moves anything; pool-table has no rules";
+    return "Disabled under rules. Use pool-table for free play.";
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ std::string_view choice_text(PoolChoice choice) {
         case PoolChoice::let_break:
             return "rack again, the other breaks";
         case PoolChoice::spot_eight:
-            return "put the 8 back and go on";
+            return "spot the 8 and continue";
         case PoolChoice::return_push:
             return "the other must shoot";
         case PoolChoice::replace:
@@ -173,7 +173,7 @@ std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {
     const std::string& next = name_of(names, rules.player);
     if (rules.phase == PoolPhase::choosing) return fallen + foul + next + ": to choose";
     if (rules.in_hand != CueInHand::no) return fallen + foul + next + ": ball in hand";
-    if (rules.player == *play.shooter) return fallen + next + ": goes on";
+    if (rules.player == *play.shooter) return fallen + next + " continues";
     return fallen + foul + next + ": to shoot";
 }
 

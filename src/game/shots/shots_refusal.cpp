@@ -69,7 +69,7 @@ Refusal refused(const Scene&, const World& world, const ShotsState&,
 
 template <typename Other>
 Refusal refused(const Scene&, const World&, const ShotsState&, const Other&) {
-    return "in this game only the cue moves anything";
+    return "Only the cue moves balls in this game.";
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST_CASE("a resumed match keeps score, turn, clock, aim and call") {
     CHECK(after.sees("follow 0.05"));
     // In a match nothing is taken back.
     after.key(U'u');
-    CHECK(after.sees("no shot is taken back"));
+    CHECK(after.sees("No shot can be undone"));
     CHECK(title_of(after) == title);
 }
 

@@ -509,7 +509,7 @@ TEST_CASE("in a watched recording, keys control time and view but not the world"
     const Session& watched = person.player.session();
     for (const char32_t key : std::u32string(U"aexEugGsk"))
         person.key(key);
-    CHECK(person.sees("a recording is only watched"));
+    CHECK(person.sees("This is a recording: you can only watch."));
     person.mouse(InputEvent::Action::press, watched.world().balls().position[0]);
     person.mouse(InputEvent::Action::move, {30.0, 20.0});
     person.mouse(InputEvent::Action::release, {30.0, 20.0});
@@ -543,7 +543,7 @@ TEST_CASE("a split window shows one solver after another, and finally the game a
     Person person;
     person.key(U'S');
     CHECK(person.sees("| event  tick 0"));
-    CHECK(person.sees("together since t=0.000"));
+    CHECK(person.sees("identical since t=0.000"));
     person.pass(0.25);
     CHECK(person.sees(" swept  tick 30"));
     CHECK(person.sees("| event  tick 30"));
@@ -555,7 +555,7 @@ TEST_CASE("a split window shows one solver after another, and finally the game a
     CHECK(person.sees("| discrete  tick 30"));
     person.key(U'S');
     CHECK_FALSE(person.sees("tick 30 "));
-    CHECK(person.sees("one solver alone"));
+    CHECK(person.sees("Split view off."));
 }
 
 TEST_CASE("a divergence is marked in both halves, announced, and cleared by going back") {
@@ -565,12 +565,12 @@ TEST_CASE("a divergence is marked in both halves, announced, and cleared by goin
     REQUIRE(person.sees("| discrete"));
     person.pass(2.0);
     const std::string text = person.look();
-    CHECK(text.find("parted at t=") != std::string::npos);
+    CHECK(text.find("diverged at t=") != std::string::npos);
     const std::size_t mark = text.find(">X<");
     REQUIRE(mark != std::string::npos);
     CHECK(text.find(">X<", mark + 1) != std::string::npos);
     person.key(U'r');
-    CHECK(person.sees("together since t=0.000"));
+    CHECK(person.sees("identical since t=0.000"));
     CHECK_FALSE(person.sees(">X<"));
 }
 
@@ -585,7 +585,7 @@ TEST_CASE("in a split window, single steps miss no divergence") {
         stepping.key(U'.');
     const auto divergence = [](Person& person) {
         const std::string text = person.look();
-        const std::size_t at = text.find("parted at");
+        const std::size_t at = text.find("diverged at");
         return at == std::string::npos ? std::string() : text.substr(at, 24);
     };
     CHECK_FALSE(divergence(running).empty());
@@ -611,7 +611,7 @@ TEST_CASE("the butterfly shows how far its copies are apart") {
     person.pass(0.5);
     CHECK(person.sees("200 copies, radii apart:"));
     person.key(U'S');
-    CHECK(person.sees("together since"));
+    CHECK(person.sees("identical since"));
     person.key(U'b');
     CHECK(person.sees("200 copies"));
     person.key(U'b');
@@ -626,7 +626,7 @@ TEST_CASE("there is no butterfly if 200 copies do not fit into memory") {
     Canvas window(80, 24);
     player.perform(action("butterfly"));
     player.draw(window, 2.0);
-    CHECK(window.text().find("too many balls for 200 copies") != std::string::npos);
+    CHECK(window.text().find("Too many balls for 200 copies") != std::string::npos);
     CHECK(window.text().find("200 copies, radii") == std::string::npos);
 }
 
