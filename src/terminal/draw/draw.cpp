@@ -83,6 +83,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_annotations(raster, view);
     raster.show(canvas, area.column, area.row);
 
+    write_coordinates(canvas, view);
     if (options.counters && !annotations.pool && !annotations.table) write_counters(canvas, view);
     if (annotations.pool && options.labels == Labels::automatic)
         write_numbers(canvas, view);

@@ -107,6 +107,11 @@ void write_banner(Canvas& canvas, const View& view);
 void write_board_labels(Canvas& canvas, const View& view);
 /// What the colours stand for, where they are a scale: of speed, in length/s, or of mass.
 void write_scale(Canvas& canvas, const View& view);
+/// The distance of the grid lines at round coordinates, a length: 1, 2 or 5 times a power of ten,
+/// so that they are some 16 columns apart.
+double round_spacing(double columns_per_length);
+/// The coordinates of the grid lines, along the bottom and the left side, where the grid is shown.
+void write_coordinates(Canvas& canvas, const View& view);
 void write_counters(Canvas& canvas, const View& view);
 void write_labels(Canvas& canvas, const View& view);
 /// Whether the ball's number replaces the characters that ASCII has for a ball.

@@ -108,6 +108,33 @@ void write_at_point(Canvas& canvas, const View& view, Vec2 point, std::string_vi
 
 }  // namespace
 
+void write_coordinates(Canvas& canvas, const View& view) {
+    if (!view.options.overlays[overlay_named("grid")]) return;
+    const CellArea& area = view.camera.area;
+    const double spacing = round_spacing(view.camera.columns_per_length);
+    const Box visible = visible_box(view.camera);
+    const Ink ink = ink_of(Role::faint, view.options.look);
+    const int bottom = area.row + area.rows - 1;
+    // Counted in lines: far from the origin, a sum of spacings would drift, or stand still.
+    const auto each_line = [&](double low, double high, auto write) {
+        const double first = std::ceil(low / spacing);
+        const double lines = std::floor(high / spacing) - first;
+        for (int i = 0; i <= lines && i < area.columns; ++i) {
+            const double value = (first + i) * spacing + 0.0;  // no -0
+            write(value, fmt::format("{:.6g}", value));
+        }
+    };
+    each_line(visible.low.x, visible.high.x, [&](double x, const std::string& text) {
+        const int column = static_cast<int>(std::floor(to_cells(view.camera, {x, 0.0}).column)) + 1;
+        const bool fits = column + columns_of(text) <= area.column + area.columns;
+        if (fits) write_within(canvas, area, {column, bottom}, text, ink);
+    });
+    each_line(visible.low.y, visible.high.y, [&](double y, const std::string& text) {
+        const int row = static_cast<int>(std::floor(to_cells(view.camera, {0.0, y}).row));
+        if (row < bottom) write_within(canvas, area, {area.column, row}, text, ink);
+    });
+}
+
 void write_counters(Canvas& canvas, const View& view) {
     if (view.world.zones().empty()) return;
     const std::vector<std::uint64_t> counts = census(view.world);

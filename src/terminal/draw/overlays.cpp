@@ -30,14 +30,6 @@ void paint_lattice(Raster& raster, const View& view, Vec2 origin, double spacing
     }
 }
 
-// 1, 2 or 5 times a power of ten, so that lines are some 16 columns apart.
-double round_spacing(double columns_per_length) {
-    const double wanted = 16.0 / columns_per_length;
-    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-    const double leading = wanted / power;
-    return power * (leading < 2.0 ? 1.0 : leading < 5.0 ? 2.0 : 5.0);
-}
-
 // A line with an arrow head, where samples are fine enough for one.
 void paint_arrow(Raster& raster, RasterPoint from, RasterPoint to, const Ink& ink) {
     raster.line(from, to, ink);
@@ -128,6 +120,13 @@ constexpr std::array table{
 static_assert(table.size() <= OverlaySet::most);
 
 }  // namespace
+
+double round_spacing(double columns_per_length) {
+    const double wanted = 16.0 / columns_per_length;
+    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+    const double leading = wanted / power;
+    return power * (leading < 2.0 ? 1.0 : leading < 5.0 ? 2.0 : 5.0);
+}
 
 std::span<const Overlay> overlays() {
     return table;

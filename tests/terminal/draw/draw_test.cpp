@@ -407,14 +407,17 @@ TEST_CASE("grid lines are at round coordinates, and the broad phase at its cells
     Scene scene = table({{0, 0}, {30, 10}});
     ViewOptions options = in(ascii_renderer());
     turn_on(options, {"grid"});
+    // Found 6: they say which coordinates.
     CHECK(Drawing(31, 6).draw(scene, options).text() == R"(
-|~~~~~~~~~|~~~~~~~~~|~~~~~~~~~|
+10~~~~~~~~|~~~~~~~~~|~~~~~~~~~|
 |         |         |         |
 |         |         |         |
 |         |         |         |
 |         |         |         |
-|~~~~~~~~~|~~~~~~~~~|~~~~~~~~~|
+|0~~~~~~~~|10~~~~~~~|20~~~~~~~|
 )");
+    // A number that would be cut is left out.
+    CHECK(Drawing(32, 6).draw(scene, options).text().find("|3") == std::string::npos);
     options.overlays = {};
     turn_on(options, {"broad-phase"});
     Annotations annotations;
