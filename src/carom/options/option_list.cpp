@@ -297,6 +297,34 @@ void add_compare(CLI::App& app, CompareOptions& options) {
                 options.json);
 }
 
+void add_picture(CLI::App& app, PictureOptions& options) {
+    Command picture(app, "picture", "Write what the screen would show to a file");
+    picture.add_level(options.level);
+    picture.add({"--time", "S", "Simulated seconds before the picture; 0 by default"}, options.time,
+                number(0, 1e6));
+    picture.app()
+        .add_option_function<std::string>(
+            "--size",
+            [&options](Text text) {
+                const WindowSize window = window_size("--size", text);
+                options.columns = window.columns;
+                options.rows = window.rows;
+            },
+            "Columns and rows of the window; 80x24 by default")
+        ->type_name("CxR");
+    picture.add({"--format", "NAME", "svg, text, or ansi (the default)"}, options.format,
+                picture_format);
+    picture.add({"--output", "FILE", "The file; standard output by default"}, options.output);
+    picture.add({"--renderer", "NAME", renderer_names() + ", or auto (the default)"},
+                options.renderer, renderer_option);
+    picture.add({"--colors", "N", "mono, 8, 16, 256, or truecolor (the default)"}, options.colors,
+                color_choice);
+    picture.add({"--theme", "NAME", "dark (the default), light, contrast, color-blind"},
+                options.theme, theme_option);
+    picture.add({"--demo", "", "Pinball: carom plays"}, options.demo);
+    picture.add_simulation_options(options);
+}
+
 void add_check_and_list(CLI::App& app, CheckOptions& options) {
     Command check(app, "check", "Say all that is wrong with levels: exit code 0 or 2");
     check.app()
@@ -317,6 +345,7 @@ void add_commands(CLI::App& app, CommandOptions& options) {
     add_measure(app, options.measure);
     add_compare(app, options.compare);
     add_check_and_list(app, options.check);
+    add_picture(app, options.picture);
 }
 
 }  // namespace carom

@@ -19,6 +19,7 @@ struct CommandOptions {
     CompareOptions compare;
     VerifyOptions verify;
     CheckOptions check;
+    PictureOptions picture;
 };
 
 /// `options` must outlive parsing. Parsing throws BadValue for an invalid value.

@@ -139,6 +139,26 @@ RendererChoice renderer_option(std::string_view option, const std::string& text)
     return one_of<RendererChoice>(choices, option, text);
 }
 
+PictureFormat picture_format(std::string_view option, const std::string& text) {
+    static constexpr std::array<Named<PictureFormat>, 3> choices{{{"svg", PictureFormat::svg},
+                                                                  {"ansi", PictureFormat::ansi},
+                                                                  {"text", PictureFormat::text}}};
+    return one_of<PictureFormat>(choices, option, text);
+}
+
+WindowSize window_size(std::string_view option, const std::string& text) {
+    constexpr int most = 1000;
+    const std::size_t x = text.find('x');
+    if (x != text.npos) {
+        const auto columns = parsed<int>(std::string_view(text).substr(0, x));
+        const auto rows = parsed<int>(std::string_view(text).substr(x + 1));
+        if (columns && rows && *columns >= 1 && *columns <= most && *rows >= 1 && *rows <= most)
+            return {*columns, *rows};
+    }
+    throw BadValue(fmt::format("{} must be columns and rows of 1 to {}, as in 120x40, but is '{}'",
+                               option, most, text));
+}
+
 ColorChoice color_choice(std::string_view option, const std::string& text) {
     using enum ColorChoice;
     static constexpr std::array<Named<ColorChoice>, 6> choices{{{"auto", automatic},

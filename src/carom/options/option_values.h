@@ -45,6 +45,13 @@ std::vector<CompareOptions::Side> solver_list(std::string_view option, const std
 
 RendererChoice renderer_option(std::string_view option, const std::string& text);
 ColorChoice color_choice(std::string_view option, const std::string& text);
+PictureFormat picture_format(std::string_view option, const std::string& text);
+/// "120x40": columns and rows, 1 to 1000 each.
+struct WindowSize {
+    int columns = 0;
+    int rows = 0;
+};
+WindowSize window_size(std::string_view option, const std::string& text);
 ThemeChoice theme_option(std::string_view option, const std::string& text);
 
 /// The reason why a solver cannot be used, with those that can; none if it can.

@@ -35,8 +35,8 @@ UsageAnswer unknown_option(const CLI::App* command, std::string_view spelling) {
 }
 
 UsageAnswer unknown_command(const CLI::App* app, std::string_view spelling) {
-    const std::string meant = suggestion(
-        spelling, {"play", "run", "replay", "verify", "measure", "compare", "check", "list"});
+    const std::string meant = suggestion(spelling, {"play", "run", "replay", "verify", "measure",
+                                                    "compare", "check", "list", "picture"});
     const std::string what = fmt::format("there is no command '{}'", spelling);
     if (!meant.empty()) return mistake(app, what + meant);
     return mistake(app, fmt::format("{}; to play a level, write `carom play {}`", what, spelling));
@@ -85,6 +85,7 @@ Request request_of(const CLI::App* command, CommandOptions& options) {
     if (name == "compare") return std::move(options.compare);
     if (name == "verify") return std::move(options.verify);
     if (name == "check") return std::move(options.check);
+    if (name == "picture") return std::move(options.picture);
     if (name == "list") return ListOptions{};
     return request_of(command, options.play);
 }

@@ -80,6 +80,31 @@ struct CheckOptions {
     std::vector<std::string> overrides;
 };
 
+enum class PictureFormat : std::uint8_t {
+    ansi,  ///< text with colours, for a terminal
+    svg,
+    text  ///< characters alone
+};
+
+/// `carom picture LEVEL`
+struct PictureOptions {
+    std::string level;
+    std::optional<SolverSettings> solver;
+    std::optional<double> rate;  ///< ticks a second
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> overrides;
+
+    double time = 0.0;  ///< s
+    int columns = 80;
+    int rows = 24;
+    RendererChoice renderer = nullptr;
+    ColorChoice colors = ColorChoice::automatic;  ///< 24-bit
+    ThemeChoice theme;
+    PictureFormat format = PictureFormat::ansi;
+    std::string output = "-";  ///< "-": standard output
+    bool demo = false;         ///< pinball: carom plays
+};
+
 /// `carom list`
 struct ListOptions {};
 
@@ -90,7 +115,7 @@ struct UsageAnswer {
 };
 
 using Request = std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, VerifyOptions,
-                             CheckOptions, ListOptions, UsageAnswer>;
+                             CheckOptions, ListOptions, PictureOptions, UsageAnswer>;
 
 /// Never throws or exits: an error is a UsageAnswer with exit code 2.
 Request parse_options(int count, const char* const* arguments);

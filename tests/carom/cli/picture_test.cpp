@@ -1,0 +1,69 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "carom/support/process.h"
+
+using namespace carom::test;
+
+namespace {
+
+const char* const falling =
+    "carom 1 \"Falling\"\n"
+    "use gravity 0,-10\n"
+    "edge 0,0 40,0 40,40 0,40 close\n"
+    "ball a at=20,30 r=3\n";
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("carom picture writes what the screen would show, as text, ANSI or SVG") {
+    const TemporaryFolder folder;
+    const std::string level = folder.file("falling.level", falling);
+    const auto start = run_carom({"picture", level, "--size", "60x20", "--format", "text"});
+    CHECK(start.exit_code == 0);
+    CHECK(std::ranges::count(start.out, '\n') == 20);
+    CHECK(has(start.out, "Falling"));
+    CHECK_FALSE(has(start.out, "\x1b"));
+    CHECK(std::ranges::all_of(start.out, [](char byte) { return byte >= 0; }));
+    // Later the ball is elsewhere; the same call makes the same picture.
+    const auto later = run_carom({"picture", level, "--size=60x20", "--format=text", "--time=5"});
+    CHECK(later.out != start.out);
+    CHECK(has(later.out, "5.000 s"));
+    CHECK(run_carom({"picture", level, "--size=60x20", "--format=text", "--time=5"}).out ==
+          later.out);
+
+    const auto ansi = run_carom({"picture", level, "--renderer", "half", "--colors", "256"});
+    CHECK(has(ansi.out, "\x1b[38;5;"));
+    CHECK(std::ranges::count(ansi.out, '\n') == 24);
+
+    const std::string file = folder.path("a.svg");
+    const auto svg =
+        run_carom({"picture", level, "--renderer=octants", "--format=svg", "--output", file});
+    CHECK(svg.exit_code == 0);
+    CHECK(svg.out.empty());
+    CHECK(content(file).starts_with("<svg "));
+    CHECK(content(file).ends_with("</svg>\n"));
+}
+
+TEST_CASE("carom picture says what is wrong, and leaves no file behind") {
+    const TemporaryFolder folder;
+    const std::string level = folder.file("bad.level", "carom 1 \"Bad\"\nbal a\n");
+    const std::string file = folder.path("a.svg");
+    const auto bad = run_carom({"picture", level, "--output", file});
+    CHECK(bad.exit_code == 2);
+    CHECK(has(bad.err, "bad.level:2:1: error:"));
+    CHECK(folder.names() == std::vector<std::string>{"bad.level"});
+    for (const auto* size : {"0x5", "12", "x", "5x", "9999x5", "5x5x5", "-5x5"}) {
+        const auto wrong = run_carom({"picture", level, "--size", size});
+        CHECK(wrong.exit_code == 2);
+        CHECK(has(wrong.err, "--size must be columns and rows"));
+    }
+    const auto format = run_carom({"picture", level, "--format", "png"});
+    CHECK(has(format.err, "--format must be one of svg, ansi, text"));
+}
