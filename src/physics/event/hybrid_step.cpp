@@ -64,7 +64,7 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         memory.trajectories = of_free.trajectories;
         if (!world.held_capsules().empty()) memory.trajectories.obstacles = 0;
         cluster_.find_staying(dense_.world, memory.clustered);
-        memory.contacts.swap(SolverAccess(dense_.world).memory().use<ContactMemory>().contacts);
+        memory.contacts = contact_memory(dense_.world).contacts;
         memory.stored_energy = contact_memory(dense_.world).stored_energy;
         memory.clustered.insert(memory.clustered.end(), of_free.clustered.begin(),
                                 of_free.clustered.end());
