@@ -1,162 +1,245 @@
 #include "game/ai/demo_player.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "game/pinball/pinball.h"
-#include "geometry/closest.h"
 #include "physics/world/random.h"
 
 namespace carom {
 namespace {
 
-constexpr double up_time = 0.12;       // s that a flipper stays up
-constexpr double rest_time = 0.10;     // s after that before it considers the next ball
-constexpr double flip_lead = 0.010;    // s by which it flips ahead of the ball
-constexpr double overreach = 0.4;      // radii above the flipper at which it flips
-constexpr double pause_between = 4.0;  // s between two games
-constexpr double nudge_pause = 1.5;    // s between two nudges, so that the table does not tilt
+// All times in seconds.
+constexpr double pause_between = 4.0;  // games
+constexpr double nudge_pause = 1.5;    // nudges, so that the table does not tilt
 
-// The point along a flipper where it prefers to meet a ball; it varies, so that shots vary. 0 is
-// the pivot.
-constexpr double nearest_place = 0.42;
-constexpr double farthest_place = 0.80;
-// Beyond it the ball is lost, so this is the latest point to flip.
-constexpr double last_place = 0.97;
+// Meeting a ball that comes down.
+constexpr double decides_every = 0.10;
+constexpr double press_error = 0.020;  // most, to either side
+constexpr double misjudgement = 0.06;  // of a ball's speed, most, by components
+constexpr int press_reach = 1;         // in steps
+constexpr double longest_rest = 3.0;   // that balls may lie near the flippers without a press
 
-// Traps.
-constexpr double slow = 0.9;          // m/s: a ball that it dares to trap
-constexpr double trap_reach = 3.0;    // radii between ball and flipper at which it raises it
-constexpr double longest_trap = 3.0;  // s after which it gives up
-constexpr double longest_aim = 1.0;   // s that a ball may take to roll to the place of the shot
-constexpr double still_speed = 0.02;  // m/s
-constexpr double still_time = 0.25;   // s that the ball lies still before it lets it go
-constexpr double nearest_aim = 0.35;
-constexpr double farthest_aim = 0.85;
+// Shots from a cradle.
+constexpr double settling_speed = 20.0;  // radii a second: of a ball that is trapped
+constexpr double cradle_speed = 1.5;     // of one that lies still
+constexpr double still_time = 0.25;      // that a ball lies before it is let go
+constexpr double first_roll = 0.06;      // from letting go to the press
+constexpr double last_roll = 0.65;
+constexpr double roll_step = 0.012;
+constexpr std::uint64_t ticks_for_a_shot = 6;  // that it takes to think of one
+constexpr double flight = 1.6;                 // that it looks ahead
+constexpr double shot_error = 0.045;           // most, to either side
+constexpr int shot_reach = 3;                  // in steps
+constexpr double shot_time = 2.0;              // in which a shot reaches its device
 
-std::uint64_t ticks(const World& world, double seconds) {
-    return static_cast<std::uint64_t>(seconds * world.rate() + 0.5);
-}
+// What it presses a button for, and what it nudges for: a ball that would be lost.
+constexpr double least_gain = 4.0;
+constexpr double nudge_gain = 40.0;
 
 std::size_t index(Button button) {
     return static_cast<std::size_t>(button);
 }
 
-bool is_above(const Flipper& flipper, const Capsule& shape, Vec2 at) {
-    const double side = cross(shape.end - shape.start, at - shape.start);
-    return flipper.sweep > 0.0 ? side > 0.0 : side < 0.0;
+std::uint32_t events_of_group(const Scene& scene, const PinballState& state, std::uint32_t device) {
+    std::uint32_t events = 0;
+    for (const std::uint32_t d : scene.table.groups[scene.table.devices[device].group].devices)
+        events += state.events[d];
+    return events;
+}
+
+// A shot is for what it wins: that the ball comes back to the flippers slowly is worth nothing.
+double shot_value(const Foreseen& shot) {
+    return std::min(0.0, shot.safety) + shot.gain;
+}
+
+// How well a ball that comes down is met.
+double meeting_value(const Foreseen& way) {
+    return way.safety + way.gain;
 }
 
 }  // namespace
 
-// Plans a flip for a ball that comes down on the flipper and is nearly there.
-void DemoPlayer::watch_flipper(const Scene& scene, const World& world, std::size_t which) {
-    const Flipper& flipper = world.flippers()[which];
-    FlipperPlan& plan = plans_[index(scene.table.flipper_buttons[which])];
-    const auto capsule = index_of(world, flipper.capsule);
-    if (!capsule || world.tick() < plan.busy_until) return;
-    const Capsule& shape = world.capsules().shape[*capsule];
-    const double wanted = random_between(nearest_place, farthest_place, world.seed(),
-                                         RandomStream::player, flips_, which);
-    for (std::size_t i = 0; i < world.balls().size(); ++i) {
-        const Vec2 at = world.balls().position[i];
-        const Vec2 soon = at + world.balls().velocity[i] * flip_lead;
-        const double gap = separation(Disc{soon, world.balls().radius[i]}, shape);
-        if (gap > overreach * world.balls().radius[i] || !is_above(flipper, shape, at)) continue;
-        const double place = closest_parameter(shape.start, shape.end, soon);
-        // It waits for a ball that rolls towards the tip, but not for one that falls on the
-        // flipper.
-        const Vec2 along = shape.end - shape.start;
-        const double rolls = dot(world.balls().velocity[i], along) / dot(along, along);
-        const double sinking = std::fabs(cross(along, world.balls().velocity[i])) / length(along);
-        const bool is_rolling = rolls > 0.0 && sinking < 10.0 * world.balls().radius[i];
-        if (place < (is_rolling ? wanted : nearest_place) || place > last_place + 0.02) continue;
-        flip(world, plan);
+// In -most..most, small errors being more likely: the sum of two uniform ones.
+double DemoPlayer::error(const World& world, double most) {
+    const auto draw = [&] {
+        return random_between(-0.5 * most, 0.5 * most, world.seed(), RandomStream::player, 2000,
+                              errors_++);
+    };
+    const double first = draw();
+    return first + draw();
+}
+
+// The game as the player sees it: how fast a ball is it judges by eye.
+PinballTrial DemoPlayer::seen(const Game& game) {
+    PinballTrial trial{game.world, game.state};
+    for (std::size_t i = 0; i < trial.world.balls().size(); ++i) {
+        const Vec2 velocity = trial.world.balls().velocity[i];
+        const double most = misjudgement * length(velocity);
+        const Vec2 wrong{error(game.world, most), error(game.world, most)};
+        trial.world.edit_balls().velocity[i] = velocity + wrong;
+    }
+    return trial;
+}
+
+// Carries out the presses of an option from the next tick on.
+void DemoPlayer::follow(const Game& game, const PinballOption& option) {
+    for (const TimedPress& press : option.presses)
+        due_.push_back({game.world.tick() + press.after, press.button, press.is_down});
+    acted_at_ = game.world.tick();
+}
+
+// Begins to think of a ball that lies in a cradle, thinks on, or shoots. False: there is none, or a
+// ball comes that does not lie in one.
+bool DemoPlayer::aim(const Game& game, const std::vector<std::size_t>& near) {
+    std::optional<std::size_t> flipper;
+    for (const std::size_t ball : near) {
+        const auto cradle = game.sight.cradle_of(game.world, ball, cradle_speed);
+        if (!cradle) {
+            cradle_.reset();
+            return false;
+        }
+        if (!flipper || (cradle_ && cradle_->flipper == *cradle)) flipper = cradle;
+    }
+    if (cradle_ && cradle_->flipper != *flipper) cradle_.reset();
+    if (!cradle_) {
+        cradle_ =
+            Cradle{.flipper = *flipper, .since = game.world.tick(), .rolling = {}, .shots = {}};
+        return true;
+    }
+    const std::uint64_t rested = game.world.tick() - cradle_->since;
+    if (rested < pinball_ticks(game.world, still_time)) return true;
+    if (cradle_->rolls >= pinball_ticks(game.world, last_roll)) {
+        shoot(game);
+        cradle_.reset();
+    } else if (rested % ticks_for_a_shot == 0) {
+        try_next_shot(game);
+    }
+    return true;
+}
+
+void DemoPlayer::try_next_shot(const Game& game) {
+    Solver solver(*settings_);
+    const Button button = game.sight.button_of(cradle_->flipper);
+    std::uint64_t rolls = pinball_ticks(game.world, roll_step);
+    if (!cradle_->rolling) {
+        cradle_->rolling = PinballTrial{game.world, game.state};
+        press(game.scene, cradle_->rolling->world, cradle_->rolling->state, button, false);
+        rolls = pinball_ticks(game.world, first_roll);
+    }
+    for (std::uint64_t i = 0; i < rolls; ++i)
+        play_tick(game.scene, solver, *cradle_->rolling);
+    cradle_->rolls += rolls;
+    const std::uint64_t flips = pinball_ticks(game.world, pinball_flip_time);
+    const Foreseen foreseen = play_ahead(game.sight, game.scene, solver, *cradle_->rolling,
+                                         {{0, button, true}, {flips, button, false}},
+                                         pinball_ticks(game.world, flight), false);
+    cradle_->shots.push_back({{{0, button, false},
+                               {cradle_->rolls, button, true},
+                               {cradle_->rolls + flips, button, false}},
+                              foreseen});
+}
+
+void DemoPlayer::shoot(const Game& game) {
+    std::vector<double> values;
+    for (const PinballOption& shot : cradle_->shots)
+        values.push_back(shot_value(shot.foreseen));
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < values.size(); ++i)
+        if (value_around(values, i, shot_reach) > value_around(values, best, shot_reach)) best = i;
+    PinballOption chosen = cradle_->shots[best];
+    const double late = error(game.world, shot_error) * game.world.rate();
+    for (std::size_t i = 1; i < chosen.presses.size(); ++i)
+        chosen.presses[i].after = static_cast<std::uint64_t>(
+            std::max(0.0, static_cast<double>(chosen.presses[i].after) + late));
+    follow(game, chosen);
+    if (!chosen.foreseen.device) return;
+    const std::uint64_t from = game.world.tick() + chosen.presses[1].after;
+    shot_ = Shot{*chosen.foreseen.device, from, from + pinball_ticks(game.world, shot_time), {}};
+}
+
+void DemoPlayer::watch_shot(const Game& game) {
+    if (!shot_ || game.world.tick() < shot_->from) return;
+    const std::uint32_t events = events_of_group(game.scene, game.state, shot_->device);
+    if (!shot_->events_before) {
+        shot_->events_before = events;
+        ++shots_.tried;
+    }
+    const bool is_made = events > *shot_->events_before;
+    if (is_made) ++shots_.made;
+    if (is_made || game.world.tick() >= shot_->until) shot_.reset();
+}
+
+bool DemoPlayer::may_nudge(const Game& game) const {
+    if (game.state.tilt_meter > 0.05 || game.state.is_tilted) return false;
+    return nudged_at_ == 0 ||
+           game.world.tick() >= nudged_at_ + pinball_ticks(game.world, nudge_pause);
+}
+
+void DemoPlayer::meet(const Game& game, std::size_t ball) {
+    const PinballTrial trial = seen(game);
+    const std::vector<PinballOption> options = ways_to_meet(
+        game.sight, game.scene, *settings_, trial, game.sight.button_for(game.world, ball));
+    // Options alternate between changes for good and for a moment; each is judged among its kind.
+    std::array<std::vector<double>, 2> values;
+    for (std::size_t i = 1; i < options.size(); ++i)
+        values[(i - 1) % 2].push_back(meeting_value(options[i].foreseen));
+    const double idle = meeting_value(options[0].foreseen);
+    // Balls that lean on each other in one cradle would lie there for ever.
+    const bool must_act = game.world.tick() > acted_at_ + pinball_ticks(game.world, longest_rest) &&
+                          options.size() > 1;
+    double most = must_act ? -1e9 : idle + least_gain;
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < options.size(); ++i) {
+        const double value = value_around(values[(i - 1) % 2], (i - 1) / 2, press_reach);
+        if (value > most) {
+            most = value;
+            best = i;
+        }
+    }
+    if (best == 0 || most < idle + nudge_gain) {
+        const auto nudge =
+            may_nudge(game) ? best_nudge(game.sight, game.scene, *settings_, trial) : std::nullopt;
+        if (nudge && nudge->foreseen.safety > most + nudge_gain) {
+            nudged_at_ = game.world.tick();
+            return follow(game, *nudge);
+        }
+    }
+    if (best == 0) return;
+    // What is due later is decided later, from nearer by.
+    PinballOption chosen = options[best];
+    if (chosen.presses.front().after > pinball_ticks(game.world, decides_every + pinball_reaction))
+        return;
+    const double late = error(game.world, press_error) * game.world.rate();
+    for (TimedPress& press : chosen.presses)
+        press.after =
+            static_cast<std::uint64_t>(std::max(0.0, static_cast<double>(press.after) + late));
+    follow(game, chosen);
+}
+
+void DemoPlayer::decide(const Game& game) {
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < game.world.balls().size(); ++i)
+        if (game.sight.is_near(game.world, i) && !game.sight.is_lost(game.world, i))
+            near.push_back(i);
+    if (!due_.empty()) return;
+    if (near.empty()) {
+        wants_down_[index(Button::left_flipper)] = false;
+        wants_down_[index(Button::right_flipper)] = false;
+        cradle_.reset();
+        acted_at_ = game.world.tick();
         return;
     }
-}
-
-void DemoPlayer::flip(const World& world, FlipperPlan& plan) {
-    plan = {world.tick(), world.tick() + ticks(world, up_time),
-            world.tick() + ticks(world, up_time + rest_time)};
-    ++flips_;
-}
-
-bool DemoPlayer::cradle(const Scene& scene, const World& world, std::size_t which) {
-    Cradle& cradle = cradles_[which];
-    const Flipper& flipper = world.flippers()[which];
-    const auto capsule = index_of(world, flipper.capsule);
-    if (!capsule || world.balls().size() != 1) {
-        cradle = {};
-        return false;
-    }
-    const Capsule& shape = world.capsules().shape[*capsule];
-    const double radius = world.balls().radius[0];
-    const Vec2 at = world.balls().position[0];
-    const Vec2 velocity = world.balls().velocity[0];
-    const double gap = separation(Disc{at, radius}, shape);
-    const Vec2 along = shape.end - shape.start;
-    const double place = dot(at - shape.start, along) / dot(along, along);
-    const std::uint64_t now = world.tick();
-    FlipperPlan& plan = plans_[index(scene.table.flipper_buttons[which])];
-    if (cradle.aims) {
-        if (place >= cradle.place && gap < radius) {
-            flip(world, plan);
-            cradle = {};
-        } else if (gap > 2.0 * radius || now > cradle.since + ticks(world, longest_aim)) {
-            cradle = {};
-        }
-        return cradle.aims;
-    }
-    if (cradle.holds) {
-        const bool is_still = gap < 0.1 * radius && length(velocity) < still_speed;
-        cradle.still = is_still ? cradle.still + 1 : 0;
-        if (cradle.still > ticks(world, still_time)) {
-            cradle = {.aims = true,
-                      .since = now,
-                      .place = random_between(nearest_aim, farthest_aim, world.seed(),
-                                              RandomStream::player, flips_, 100 + which)};
-        } else if (gap > 3.0 * trap_reach * radius ||
-                   now > cradle.since + ticks(world, longest_trap)) {
-            cradle = {};
-        }
-        return cradle.holds;
-    }
-    // A flipper that stands on its head has no cradle.
-    const bool has_cradle = std::fabs(flipper.rest.x) > std::fabs(flipper.rest.y) &&
-                            cross(flipper.rest, Vec2{0.0, 1.0}) * flipper.sweep > 0.0;
-    const bool comes = gap < trap_reach * radius && is_above(flipper, shape, at) && place < 0.7;
-    if (has_cradle && comes && length(velocity) < slow) cradle = {.holds = true, .since = now};
-    return cradle.holds;
-}
-
-// Where a push helps: a ball that falls between the flippers may come to one of them, and one that
-// comes down beside an inlane may still get into it.
-std::optional<Button> DemoPlayer::wanted_nudge(const World& world,
-                                               const PinballState& state) const {
-    if (world.flippers().size() < 2 || state.tilt_meter > 0.05) return {};
-    if (world.tick() < nudged_at_ + ticks(world, nudge_pause)) return {};
-    const auto left = index_of(world, world.flippers()[0].capsule);
-    const auto right = index_of(world, world.flippers()[1].capsule);
-    if (!left || !right) return {};
-    const Capsule& a = world.capsules().shape[*left];
-    const Capsule& b = world.capsules().shape[*right];
-    const double middle = 0.5 * (a.end.x + b.end.x);
-    for (std::size_t i = 0; i < world.balls().size(); ++i) {
-        const Vec2 at = world.balls().position[i];
-        const double radius = world.balls().radius[i];
-        if (!(world.balls().velocity[i].y < 0.0)) continue;
-        const double height = at.y - std::max(a.end.y, b.end.y);
-        if (std::fabs(at.x - middle) < radius && height > 2.0 * radius && height < 8.0 * radius)
-            return flips_ % 2 == 0 ? Button::nudge_left : Button::nudge_right;
-        // Inlanes begin some 12 radii above the pivots, and 9 beside them.
-        const double rise = at.y - a.start.y;
-        const double aside = std::fabs(at.x - middle) - std::fabs(a.start.x - middle);
-        if (rise > 12.0 * radius && rise < 20.0 * radius && aside > 7.5 * radius &&
-            aside < 12.0 * radius)
-            return at.x < middle ? Button::nudge_right : Button::nudge_left;
-    }
-    return {};
+    if (aim(game, near) || game.world.tick() < decides_at_) return;
+    decides_at_ = game.world.tick() + pinball_ticks(game.world, decides_every);
+    // A ball that is being trapped is left alone.
+    const bool is_settling =
+        game.world.tick() < acted_at_ + pinball_ticks(game.world, longest_rest);
+    std::erase_if(near, [&](std::size_t i) {
+        return is_settling && game.sight.cradle_of(game.world, i, settling_speed);
+    });
+    const auto lowest = std::ranges::min_element(
+        near, {}, [&](std::size_t i) { return game.world.balls().position[i].y; });
+    if (lowest != near.end()) meet(game, *lowest);
 }
 
 std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& world,
@@ -169,34 +252,31 @@ std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& wo
         if (state.is_down[index(button)] != is_down && has_button(scene, button))
             presses.push_back({button, is_down});
     };
-    cradles_.resize(world.flippers().size());
-    std::array<bool, 2> traps{};
-    for (std::size_t i = 0; i < world.flippers().size(); ++i) {
-        if (!cradle(scene, world, i)) watch_flipper(scene, world, i);
-        if (cradles_[i].holds) traps[index(scene.table.flipper_buttons[i])] = true;
-    }
-    set(Button::left_flipper, traps[0] || world.tick() < plans_[0].up_until);
-    set(Button::right_flipper, traps[1] || world.tick() < plans_[1].up_until);
-
     if (state.phase == PinballState::Phase::over) {
-        if (begins_at_ == 0) begins_at_ = world.tick() + ticks(world, pause_between);
+        if (begins_at_ == 0) begins_at_ = world.tick() + pinball_ticks(world, pause_between);
         // Press and release: the next tick releases the button.
         set(Button::plunger, world.tick() >= begins_at_ && !state.is_down[index(Button::plunger)]);
         return presses;
     }
     begins_at_ = 0;
+    if (!settings_) settings_ = pick_solver(scene.world).settings;
+    const PinballSight sight(scene);
+    if (sight.has_pair()) {
+        const Game game{scene, world, state, sight};
+        watch_shot(game);
+        decide(game);
+    }
+    std::erase_if(due_, [&](const DuePress& press) {
+        if (press.tick > world.tick()) return false;
+        wants_down_[index(press.button)] = press.is_down;
+        return true;
+    });
     const double pull = random_between(0.45, 1.0, world.seed(), RandomStream::player,
                                        state.games + 1, world.next_ball());
     const bool may_launch = state.launch_at == 0 && is_on_plunger(scene, world);
-    set(Button::plunger, may_launch && state.pull < pull);
-
-    const bool is_nudging = world.tick() < nudged_at_ + ticks(world, 0.05);
-    const auto wanted = is_nudging ? std::nullopt : wanted_nudge(world, state);
-    if (wanted) {
-        nudged_at_ = world.tick();
-        nudge_ = *wanted;
-    }
-    set(nudge_, nudged_at_ > 0 && world.tick() < nudged_at_ + ticks(world, 0.05));
+    wants_down_[index(Button::plunger)] = may_launch && state.pull < pull;
+    for (int button = 0; button < button_count; ++button)
+        set(static_cast<Button>(button), wants_down_[static_cast<std::size_t>(button)]);
     return presses;
 }
 

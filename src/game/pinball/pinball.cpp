@@ -241,6 +241,7 @@ PinballState begin_pinball(const Scene& scene) {
     PinballState state;
     const std::size_t devices = scene.table.devices.size();
     state.is_lit.assign(devices, 0);
+    state.events.assign(devices, 0);
     state.lit_until.assign(devices, 0);
     state.flash_until.assign(devices, 0);
     state.is_rising.assign(devices, 0);

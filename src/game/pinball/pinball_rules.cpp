@@ -181,6 +181,7 @@ void expire_lights(Pinball game) {
 }
 
 void apply_rules(Pinball game, std::uint32_t device, RuleEvent event) {
+    ++game.state.events[device];
     if (!game.is_scoring()) return;
     const std::uint32_t group = game.table().devices[device].group;
     PinballHost host(game);

@@ -47,6 +47,8 @@ struct PinballState {
     std::vector<std::uint8_t> is_lit;
     /// End of each kicker's flash; only displayed, and in no fingerprint.
     std::vector<std::uint64_t> flash_until;
+    /// How often each device has been hit or entered; only observed, and in no fingerprint.
+    std::vector<std::uint32_t> events;
     std::vector<std::uint64_t> lit_until;  ///< 0: until something switches it off
     std::vector<std::uint8_t> is_rising;   ///< drop targets waiting for room to rise
     std::vector<double> turning;           ///< spinners: half turns a second

@@ -189,7 +189,8 @@ std::size_t bytes_of(const GameState& game) {
     return bytes_in(pinball->is_lit) + bytes_in(pinball->is_rising) + bytes_in(pinball->turning) +
            bytes_in(pinball->turned) + bytes_in(pinball->visits) + bytes_in(pinball->progress) +
            bytes_in(pinball->lit_until) + bytes_in(pinball->flash_until) + bytes_in(pinball->held) +
-           bytes_in(pinball->parked) + bytes_of(pinball->rules) + pinball->message.capacity();
+           bytes_in(pinball->events) + bytes_in(pinball->parked) + bytes_of(pinball->rules) +
+           pinball->message.capacity();
 }
 
 namespace {

@@ -112,7 +112,8 @@ class DrainWatch {
 }  // namespace
 
 PinballGames play_pinball(const Scene& scene, const SolverSettings& settings, std::uint64_t balls,
-                          const PinballPlayer& player, const std::function<bool()>& keep_going) {
+                          const PinballPlayer& player, const std::function<bool()>& keep_going,
+                          double seconds) {
     using Phase = PinballState::Phase;
     PinballGames games;
     World world = scene.world;
@@ -126,7 +127,7 @@ PinballGames play_pinball(const Scene& scene, const SolverSettings& settings, st
     std::uint64_t ended = 0;
     bool was_launched = false;
     Phase before = state.phase;
-    while (games.ball_times.size() < balls) {
+    while (games.ball_times.size() < balls && world.time() < seconds) {
         for (const command::Press& press : player(scene, world, state))
             execute(scene, world, game, press);
         if (!std::exchange(was_launched, state.is_launched) && state.is_launched)
@@ -190,6 +191,10 @@ std::string pinball_games_text(const PinballGames& games) {
         games.lost, games.outside, mean_ball_time(games), median_of(games.ball_times),
         100.0 * share_under(games, 8.0), left, middle, right, 100.0 * outlane_share(games),
         games.saved, mean_of(scores), median_of(scores), best);
+    if (games.shots_tried > 0)
+        text += fmt::format(
+            "shots from a cradle {}, made {} ({:.0f} %)\n\n", games.shots_tried, games.shots_made,
+            100.0 * static_cast<double>(games.shots_made) / static_cast<double>(games.shots_tried));
     text += histogram(scores, "   points   games") + "\n";
     text += histogram(games.ball_times, "  seconds   balls");
     return text;

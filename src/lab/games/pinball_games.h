@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,13 +34,17 @@ struct PinballGames {
     std::uint64_t lost = 0;                 ///< balls that no kick freed, or that left the table
     std::uint64_t outside = 0;  ///< ticks after which a ball was outside the table's bounds
     double seconds = 0.0;       ///< simulated
+    /// Shots from a cradle, if the player counts them, and how many hit what they were meant for.
+    std::uint64_t shots_tried = 0;
+    std::uint64_t shots_made = 0;
 };
 
-/// Plays games until `balls` have ended, or an hour per ball has passed. `keep_going`, if any, is
-/// asked after each ball. Pre: the scene is a game of pinball.
+/// Plays games until `balls` have ended, or an hour without a ball's end or `seconds` in all have
+/// been simulated. `keep_going`, if any, is asked after each ball. Pre: the scene is a game of
+/// pinball.
 PinballGames play_pinball(const Scene& scene, const SolverSettings& solver, std::uint64_t balls,
-                          const PinballPlayer& player,
-                          const std::function<bool()>& keep_going = {});
+                          const PinballPlayer& player, const std::function<bool()>& keep_going = {},
+                          double seconds = std::numeric_limits<double>::infinity());
 
 double mean_ball_time(const PinballGames& games);
 /// The share of balls that last less than this, and of drains that are through an outlane; 0..1.

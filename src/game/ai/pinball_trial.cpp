@@ -1,0 +1,76 @@
+#include "game/ai/pinball_trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/pinball/pinball.h"
+
+namespace carom {
+namespace {
+
+// Points are worth less and less, so that a player does not risk a ball for many of them.
+constexpr double points_for_one = 100.0;
+constexpr double most_for_points = 20.0;
+constexpr double for_lost_ball = -100.0;  // as PinballSight::safety has it
+
+double value_of(double points) {
+    return std::min(most_for_points, std::sqrt(std::max(0.0, points) / points_for_one));
+}
+
+enum class Prospect : std::uint8_t { near, away, lost };
+
+// `away`: no ball is near the flippers. `lost`: all balls are.
+Prospect prospect_of(const PinballSight& sight, const PinballTrial& trial) {
+    bool is_any_near = false;
+    bool all_lost = true;
+    for (std::size_t i = 0; i < trial.world.balls().size(); ++i) {
+        const bool is_lost = sight.is_lost(trial.world, i);
+        all_lost = all_lost && is_lost;
+        is_any_near = is_any_near || (!is_lost && sight.is_near(trial.world, i));
+    }
+    return all_lost ? Prospect::lost : is_any_near ? Prospect::near : Prospect::away;
+}
+
+}  // namespace
+
+void play_tick(const Scene& scene, Solver& solver, PinballTrial& trial) {
+    solver.tick(trial.world);
+    update_pinball(scene, trial.world, trial.state, solver.contacts());
+}
+
+Foreseen play_ahead(const PinballSight& sight, const Scene& scene, Solver& solver,
+                    PinballTrial trial, const std::vector<TimedPress>& presses, std::uint64_t ticks,
+                    bool ends_when_away) {
+    Foreseen foreseen;
+    const double worth_before = sight.worth(trial.state);
+    const std::uint64_t drained_before = trial.state.drained;
+    double worth = worth_before;
+    double most = 0.0;
+    std::vector<std::uint32_t> events = trial.state.events;
+    auto next = presses.begin();
+    bool was_away = false;
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        const Prospect prospect = prospect_of(sight, trial);
+        if (prospect == Prospect::lost || (was_away && prospect == Prospect::near)) break;
+        was_away = was_away || prospect == Prospect::away;
+        if (was_away && ends_when_away) break;
+        for (; next != presses.end() && next->after <= tick; ++next)
+            press(scene, trial.world, trial.state, next->button, next->is_down);
+        play_tick(scene, solver, trial);
+        if (trial.state.events == events) continue;
+        const double now = sight.worth(trial.state);
+        if (now - worth > most) {
+            most = now - worth;
+            foreseen.device = static_cast<std::uint32_t>(
+                std::ranges::mismatch(trial.state.events, events).in1 - trial.state.events.begin());
+        }
+        worth = now;
+        events = trial.state.events;
+    }
+    foreseen.safety = sight.safety(trial.world, trial.state) +
+                      for_lost_ball * static_cast<double>(trial.state.drained - drained_before);
+    foreseen.gain = value_of(worth - worth_before);
+    return foreseen;
+}
+
+}  // namespace carom
