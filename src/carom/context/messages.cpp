@@ -13,11 +13,13 @@ constexpr double message_time = 4.0;
 void Messages::say(std::string message, std::optional<Vec2> place) {
     message_ = {std::move(message), false, place};
     seconds_left_ = message_time;
+    is_new_ = true;
 }
 
 void Messages::complain(std::string message, std::optional<Vec2> place) {
     message_ = {std::move(message), true, place};
     seconds_left_ = message_time;
+    is_new_ = true;
 }
 
 void Messages::set_problem(std::vector<std::string> lines) {
@@ -25,7 +27,7 @@ void Messages::set_problem(std::vector<std::string> lines) {
 }
 
 bool Messages::fade(double seconds) {
-    if (seconds_left_ <= 0.0) return false;
+    if (seconds_left_ <= 0.0 || std::exchange(is_new_, false)) return false;
     seconds_left_ -= seconds;
     return seconds_left_ <= 0.0;
 }

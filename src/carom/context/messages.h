@@ -28,7 +28,9 @@ class Messages {
     /// The problem's lines.
     const std::vector<std::string>& problem() const { return problem_; }
 
-    /// Advances the timer, s. Returns true if the message has just faded.
+    /// Advances the timer, s. Returns true if the message has just faded. The first call for a
+    /// message does not count, since its time began before the message came up: a long tick, at
+    /// the end of which there is something to say.
     bool fade(double seconds);
     /// Seconds until the message fades; none: there is no message.
     std::optional<double> seconds_left() const;
@@ -44,6 +46,7 @@ class Messages {
   private:
     Line message_;
     double seconds_left_ = 0.0;
+    bool is_new_ = false;
     std::vector<std::string> problem_;
     std::string prompt_;
 };

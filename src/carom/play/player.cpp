@@ -115,6 +115,7 @@ void Player::handle_mouse(const InputEvent& event) {
 }
 
 void Player::fade_messages(double seconds) {
+    if (play_.page.is_open()) return;
     if (play_.messages.fade(seconds)) play_.needs_draw = true;
 }
 

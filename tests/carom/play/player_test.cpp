@@ -361,6 +361,21 @@ TEST_CASE("messages fade, and the problem of a watched level stays") {
     CHECK_FALSE(person.sees("error: no"));
 }
 
+TEST_CASE("a message that ends a long tick, or comes up behind a page, is seen for its full time") {
+    Person person;
+    person.player.say("hello there");
+    person.player.fade_messages(30.0);  // the tick
+    CHECK(person.sees("hello there"));
+    person.key(U'?');
+    person.player.say("hello again");
+    person.player.fade_messages(0.0);
+    person.player.fade_messages(30.0);
+    person.key(key::escape);
+    CHECK(person.sees("hello again"));
+    person.pass(30.0);
+    CHECK_FALSE(person.sees("hello again"));
+}
+
 TEST_CASE("found 4: a message is over when the player does the next thing") {
     Person person;
     person.key(U'e');

@@ -62,6 +62,7 @@ struct PersonAtWindow {
         mouse_in_cells(InputEvent::Action::release, at(to), button, modifiers);
     }
     void pass(double seconds) {
+        player.fade_messages(0.0);  // of the turn in which a message came up
         player.fade_messages(seconds);
         player.advance(seconds, always);
     }
