@@ -189,6 +189,8 @@ TEST_CASE("preferences that cannot be written are reported once, and the game co
         REQUIRE_FALSE(running.program.start());
         running.key(U'm');
         const bool told = running.sees("such choices are not kept: cannot");
+        // A message's time begins with the first step after it came up.
+        running.pass(0.1);
         running.pass(60.0);
         CHECK_FALSE(running.sees("not kept"));
         running.key(U'm');
