@@ -23,7 +23,7 @@ void PoolController::cut_panel(const PlayContext& play, CellArea& area) {
 }
 
 void PoolController::draw_panel(const PlayContext& play, Canvas& canvas) const {
-    PoolPanel panel = scoreboard_of(play.session, names());
+    PoolPanel panel = scoreboard_of(play.session, players_.names());
     if (is_aiming(play)) {
         const command::Strike strike = aim_.strike(play.session);
         panel.tip = PoolPanel::Tip{strike.side, strike.follow};
@@ -43,18 +43,18 @@ std::string PoolController::line(const PlayContext& play) const {
         return shots->is_shooting ? "" : shots->message;
     const PoolPlay* const pool = pool_of(play.session);
     if (!pool) return "";
-    if (opponent_.is_turn(play.session)) return opponent_.text();
-    if (!pool->is_shooting) return outcome_text(*pool, names());
+    if (players_.is_opponents_turn(play.session)) return players_.opponent_text();
+    if (!pool->is_shooting) return outcome_text(*pool, players_.names());
     const std::string called = call_text(play.session.scene(), pool->call);
     return called.empty() ? "" : "called: " + called;
 }
 
 void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
-    const auto left = clock_.left(play.session);
-    add_pool_title(play.session, names(), left, info);
+    const auto left = players_.time_left(play.session);
+    add_pool_title(play.session, players_.names(), left, info);
     info.game = line(play);
     // The last seconds for the shot, or for the choice.
-    if (!left || *left > last_seconds || opponent_.is_turn(play.session)) return;
+    if (!left || *left > last_seconds || players_.is_opponents_turn(play.session)) return;
     info.message = fmt::format("{} left", clock_text(*left));
     info.message_is_error = true;
 }
@@ -66,7 +66,8 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
         if (!keys.empty()) hints.push_back({keys, std::string(what)});
     };
     const PoolPlay* const pool = pool_of(play.session);
-    if (pool && pool->rules.phase == PoolPhase::choosing && !opponent_.is_turn(play.session)) {
+    if (pool && pool->rules.phase == PoolPhase::choosing &&
+        !players_.is_opponents_turn(play.session)) {
         int key = 0;
         for (const PoolChoice choice : pool->rules.choices)
             hints.push_back({fmt::format("{}", ++key), std::string(choice_text(choice))});
@@ -82,7 +83,7 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
         hint("menu", "No stroke.");
     }
     if (!is_aiming(play)) return;
-    const bool in_match = is_match(play.session);
+    const bool in_match = players_.is_match(play.session);
     hint("grab", in_match ? "stroke, and again: strike" : "shoot");
     hints.push_back({"arrows", "aim, power"});
     hints.push_back({"shift-arrows", "tip"});
@@ -91,7 +92,7 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     if (in_match) return;
     hint("aids", "lines");
     if (pool) hint("coach", "coach");
-    if (pool && opponent() == 0) hint("opponent", "opponent");
+    if (pool && players_.opponent() == 0) hint("opponent", "opponent");
 }
 
 }  // namespace carom

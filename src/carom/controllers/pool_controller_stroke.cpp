@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <utility>
 
-#include "carom/controllers/editing.h"
 #include "carom/controllers/pool_controller.h"
-#include "game/ai/person_hand.h"
 
 /// How a shot comes about: by a key or with the mouse; in a match by a stroke that may fail.
 namespace carom {
@@ -16,57 +12,27 @@ constexpr double least_pull = 1.5;
 
 }  // namespace
 
-bool PoolController::is_match(const Session& session) const {
-    return pool_of(session) && (opponent_.skill() > 0 || session.scene().pool.race > 0);
-}
-
 // In a match the past is only looked at: a shot from there would take back what came after.
 bool PoolController::is_striking(const PlayContext& play) const {
     const Session& session = play.session;
-    return !play.page.is_open() && !opponent_.is_turn(session) && aim_.may_aim(session) &&
-           !(is_match(session) && session.world().tick() < session.latest());
+    return !play.page.is_open() && !players_.is_opponents_turn(session) && aim_.may_aim(session) &&
+           !(players_.is_match(session) && session.world().tick() < session.latest());
 }
 
 void PoolController::look(PlayContext& play) {
-    aim_.set_match(is_match(play.session));
+    aim_.set_match(players_.is_match(play.session));
     aim_.look(play.session);
 }
 
 void PoolController::pass(PlayContext& play, double seconds) {
-    aim_.set_match(is_match(play.session));
+    aim_.set_match(players_.is_match(play.session));
     if (play.terminal.key_repeat) stroke_.remember(*play.terminal.key_repeat);
     if (stroke_.meter()) play.needs_draw = true;
     if (stroke_.meter() && !is_striking(play)) stroke_.end();
     if (!stroke_.pass(seconds)) say(play, "No stroke: too late.");
     if (aim_.work(play.session)) play.needs_draw = true;
-    opponent_.play(play, seconds);
+    players_.pass(play, seconds);
     hear_coach(play);
-    count_time(play, seconds);
-    tally(play, seconds);
-}
-
-void PoolController::tally(const PlayContext& play, double seconds) {
-    const PoolPlay* const pool = pool_of(play.session);
-    if (!pool || play.session.world().tick() < play.session.latest()) return;
-    tally_.look(*pool, opponent());
-    if (is_awaited(*pool) && !opponent_.is_turn(play.session) && !play.clock.is_paused())
-        tally_.pass(seconds);
-}
-
-void PoolController::tell_record(PlayContext& play) const {
-    PoolRecord all = record_;
-    add(all, tally_.since());
-    say(play, text_for_player(all));
-}
-
-// The opponent needs no clock, and whoever looks back at the past is not hurried.
-void PoolController::count_time(PlayContext& play, double seconds) {
-    const Session& session = play.session;
-    if (play.clock.is_paused() || opponent_.is_turn(session) ||
-        session.world().tick() < session.latest() || !clock_.pass(session, seconds))
-        return;
-    if (const auto why_not = play.session.apply(command::TimeOut{})) complain(play, *why_not);
-    set_reference(play);
 }
 
 // While the meter runs, a repeat of the key that started it does not strike.
@@ -86,7 +52,7 @@ void PoolController::point(PlayContext& play) {
     play.needs_draw = true;
     if (aims_by_mouse_) aim_.aim_at(play.session, play.pointer.at);
     if (!pulls) return;
-    if (!is_match(play.session)) return aim_.pull(play.session, play.pointer.at);
+    if (!players_.is_match(play.session)) return aim_.pull(play.session, play.pointer.at);
     if (!is_striking(play)) return;
     MouseStroke* const push = stroke_.push();
     const auto stroke =
@@ -124,7 +90,7 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
         return true;
     }
     if (!is_aiming(play)) {
-        if (opponent_.is_turn(play.session)) say(play, "It is carom's turn.");
+        if (players_.is_opponents_turn(play.session)) say(play, "It is carom's turn.");
         const PoolPlay* const pool = pool_of(play.session);
         const ShotsState* const shots = shots_of(play.session);
         const auto why_not = pool && cue ? refusal_to_shoot(*pool, *cue)
@@ -137,7 +103,7 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     if (!is_left) {
         pointer.cue_is_armed = false;
         pointer.tool.take_cue(*cue, pointer.at);
-        if (is_match(play.session)) start_push(play);
+        if (players_.is_match(play.session)) start_push(play);
     } else if (!aim_.call_pocket(play.session, pointer.at)) {
         aims_by_mouse_ = true;
         aim_.aim_at(play.session, pointer.at);
@@ -149,7 +115,7 @@ bool PoolController::take_release(PlayContext& play) {
     if (std::exchange(aims_by_mouse_, false)) return true;
     if (!play.pointer.tool.has_cue()) return stroke_.push() != nullptr;
     play.pointer.tool.forget();
-    if (is_match(play.session)) {
+    if (players_.is_match(play.session)) {
         stroke_.end();
         say(play, "Pull the cue back, then push it through where you took it.");
         return true;
@@ -170,7 +136,7 @@ void PoolController::shoot(PlayContext& play, const std::optional<Stroke>& strok
     for (Command command : aim_.shot(session)) {
         auto* const strike = std::get_if<command::Strike>(&command);
         if (strike && stroke && pool)
-            *strike = struck(*strike, *stroke, stroke_.level(), aim_.most_speed(session),
+            *strike = struck(*strike, *stroke, players_.hand(), aim_.most_speed(session),
                              session.world().seed(), pool->shots);
         if (const auto why_not = play.session.apply(command)) return complain(play, *why_not);
     }
@@ -184,40 +150,13 @@ bool PoolController::shoot_with_key(PlayContext& play) {
     }
     if (aims_with_keys(play)) {
         const double speed = length(aim_.strike(play.session).velocity);
-        if (is_match(play.session))
+        if (players_.is_match(play.session))
             stroke_.start_meter(speed, aim_.most_speed(play.session));
         else
             shoot(play);
         return true;
     }
-    if (keeps_cue(play)) {
-        if (are_rolling(play))
-            say(play, fmt::format("The balls are still rolling. {} skips to rest.",
-                                  play.keys.hint("to-rest")));
-        return true;
-    }
-    if (!has_turns(play.session)) return false;
-    // Puts down the ball in hand.
-    grab(play);
-    play.pointer.shows_cursor = !play.pointer.tool.is_empty();
-    return true;
-}
-
-bool PoolController::give_up_stroke(PlayContext& play) {
-    if (!stroke_.meter()) return false;
-    stroke_.end();
-    say(play, "No stroke.");
-    return true;
-}
-
-void PoolController::next_hand(PlayContext& play) {
-    const PoolPlay* const pool = pool_of(play.session);
-    if (!pool) return say(play, "No game of pool is played here.");
-    if (is_match(play.session) && pool->shooter)
-        return say(play, "Choose your skill before the break.");
-    set_hand(hand() % most_hand + least_hand);
-    say(play,
-        fmt::format("in a match you have {}, {} of {}", hand_text(hand()), hand(), most_hand));
+    return false;
 }
 
 }  // namespace carom

@@ -178,14 +178,14 @@ void Player::set_high_scores(HighScores scores) {
     play_.needs_draw = true;
 }
 
-bool Player::set_opponent(int skill) {
+PoolPlayers* Player::pool_players() {
     auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
-    return pool && pool->set_opponent(play_.session, skill);
+    return pool ? &pool->players() : nullptr;
 }
 
-int Player::opponent() const {
+const PoolPlayers* Player::pool_players() const {
     const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
-    return pool ? pool->opponent() : 0;
+    return pool ? &pool->players() : nullptr;
 }
 
 std::optional<ShotSetup> Player::shot_setup() const {
@@ -196,38 +196,6 @@ std::optional<ShotSetup> Player::shot_setup() const {
 void Player::set_up(const ShotSetup& setup) {
     auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
     if (pool) pool->set_up(play_.session, setup);
-}
-
-void Player::set_pool_record(const PoolRecord& record) {
-    auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
-    if (pool) pool->set_record(record);
-}
-
-std::optional<PoolRecord> Player::take_pool_record(bool all) {
-    auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
-    if (!pool || (!pool->tally().has_ended() && !all)) return std::nullopt;
-    const PoolRecord since = pool->tally().take();
-    return since == PoolRecord{} ? std::nullopt : std::optional(since);
-}
-
-std::optional<int> Player::hand() const {
-    const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
-    return pool ? std::optional(pool->hand()) : std::nullopt;
-}
-
-void Player::set_hand(int level) {
-    auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
-    if (pool) pool->set_hand(level);
-}
-
-std::optional<double> Player::shot_time_left() const {
-    const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
-    return pool ? pool->time_left(play_.session) : std::nullopt;
-}
-
-void Player::set_shot_time_left(double left) {
-    auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
-    if (pool) pool->set_time_left(play_.session, left);
 }
 
 void Player::demonstrate() {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "carom/context/play_context.h"
-#include "carom/files/pool_record.h"
+#include "carom/pool/pool_players.h"
 #include "game/pool/shot_setup.h"
 
 /// A game being played: handles input, lets time pass, and draws. It knows no terminal, no files
@@ -67,24 +67,13 @@ class Player {
     bool take_bell();
     void set_high_scores(HighScores scores);
 
-    // State that is kept with an unfinished game, beside its commands.
-    /// The AI player plays the second player from now on, with that skill; 0: a person does. False
-    /// without a game of pool.
-    bool set_opponent(int skill);
-    int opponent() const;
-    /// The shot that the player is setting up at a pool table; none elsewhere.
+    /// Who plays at a pool table; null elsewhere.
+    PoolPlayers* pool_players();
+    const PoolPlayers* pool_players() const;
+    /// The shot that the player is setting up at a pool table; none elsewhere. It is kept with an
+    /// unfinished game.
     std::optional<ShotSetup> shot_setup() const;
     void set_up(const ShotSetup& setup);
-    /// On the shot clock of a game of pool, s; none: no clock runs.
-    /// What the person had done in matches of pool before this game.
-    void set_pool_record(const PoolRecord& record);
-    /// What has been counted since the last call. Unless `all`, only once a frame has ended.
-    std::optional<PoolRecord> take_pool_record(bool all);
-    /// The level of the person's hand in a match; none: no pool table.
-    std::optional<int> hand() const;
-    void set_hand(int level);
-    std::optional<double> shot_time_left() const;
-    void set_shot_time_left(double left);
 
     /// Starts the demo at a pinball table.
     void demonstrate();

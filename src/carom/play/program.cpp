@@ -41,10 +41,11 @@ void show_high_scores(Player& player, const std::string& path) {
 
 // Gives a player at a game of pool the record of earlier matches.
 void show_pool_record(Player& player) {
-    if (!std::holds_alternative<PoolPlay>(player.session().game())) return;
+    PoolPlayers* const players = player.pool_players();
+    if (!players || !pool_of(player.session())) return;
     PoolRecordText kept = load_pool_record();
     if (kept.problem) player.complain(*kept.problem);
-    player.set_pool_record(kept.record);
+    players->set_record(kept.record);
 }
 
 }  // namespace
@@ -184,14 +185,16 @@ void Program::enter(LevelSource source, Player player, std::optional<Interrupted
     player.set_mouse_is_off(!mouse_);
     player.set_key_release(capabilities_.key_release);
     player.set_bell(preferences_.bell);
-    player.set_hand(preferences_.hand);
+    if (PoolPlayers* const players = player.pool_players()) players->set_hand(preferences_.hand);
     player.set_key_repeat(preferences_.key_repeat);
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
     show_high_scores(player, source.path);
     if (!player.is_watching()) show_pool_record(player);
     if (options_.demo) player.demonstrate();
-    if (options_.opponent > 0 && !player.is_watching() && !player.set_opponent(options_.opponent))
+    if (options_.opponent > 0 && !player.is_watching() &&
+        !(player.pool_players() &&
+          player.pool_players()->set_opponent(player.session(), options_.opponent)))
         player.complain("No game of pool is played here, so there is no opponent.");
     FileWatcher watch;
     if (options_.watch) watch = FileWatcher(files_of(player.session().scene(), source.path));
@@ -235,9 +238,12 @@ void Program::finish_resuming() {
     source.seed = done.game.replay.seed;
     source.overrides = done.game.replay.overrides;
     Player player(std::move(done.replayer).take(), view(), preferences_.keys);
-    player.set_opponent(done.game.replay.opponent);
-    if (done.game.replay.setup) player.set_up(*done.game.replay.setup);
-    if (done.game.replay.time_left) player.set_shot_time_left(*done.game.replay.time_left);
+    const Replay& replay = done.game.replay;
+    if (replay.setup) player.set_up(*replay.setup);
+    if (PoolPlayers* const players = player.pool_players()) {
+        players->set_opponent(player.session(), replay.opponent);
+        if (replay.time_left) players->set_time_left(player.session(), *replay.time_left);
+    }
     player.pause(true);
     player.say("Resumed. Press " + preferences_.keys.hint("pause") + " to continue.");
     enter(std::move(source), std::move(player), std::nullopt);

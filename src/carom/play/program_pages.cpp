@@ -60,9 +60,10 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
         preferences_.bell = game.player.has_bell();
         keep_setting("bell", preferences_.bell ? "on" : "off");
     }
-    if (const auto hand = game.player.hand(); hand && *hand != preferences_.hand) {
-        preferences_.hand = *hand;
-        keep_setting("hand", std::to_string(*hand));
+    if (const auto* const players = game.player.pool_players();
+        players && players->hand() != preferences_.hand) {
+        preferences_.hand = players->hand();
+        keep_setting("hand", std::to_string(players->hand()));
     }
     keep_pool_record(game, false);
     if (next_autosave_ < now) next_autosave_ = now + autosave_interval;

@@ -30,11 +30,12 @@ void Program::keep_key_repeat(const RunningGame& game) {
 }
 
 void Program::keep_pool_record(RunningGame& game, bool all) {
-    const auto since = game.player.take_pool_record(all);
+    PoolPlayers* const players = game.player.pool_players();
+    const auto since = players ? players->take_record(all) : std::nullopt;
     if (!since) return;
     const PoolRecordText kept = carom::keep_pool_record(*since);
     if (kept.problem) game.player.complain(*kept.problem);
-    game.player.set_pool_record(kept.record);
+    players->set_record(kept.record);
 }
 
 }  // namespace carom

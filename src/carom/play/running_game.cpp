@@ -39,9 +39,11 @@ bool RunningGame::autosave() {
     if (tick == saved_tick && commands == saved_commands && setup == saved_setup) return true;
     if (!session.is_complete() || player.is_watching()) return false;
     Replay replay = record(session, source.path, source.overrides);
-    replay.opponent = player.opponent();
     replay.setup = setup;
-    replay.time_left = player.shot_time_left();
+    if (const PoolPlayers* const players = player.pool_players()) {
+        replay.opponent = players->opponent();
+        replay.time_left = players->time_left(session);
+    }
     if (const auto problem = resume_file.save(replay)) {
         player.complain(*problem);
         return false;

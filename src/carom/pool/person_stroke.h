@@ -10,14 +10,9 @@
 
 namespace carom {
 
-/// The hand of the person in a match: its level, and the stroke in progress, by the meter or with
-/// the mouse.
+/// The stroke in progress in a match, by the meter or with the mouse.
 class PersonStroke {
   public:
-    int level() const { return level_; }
-    /// Pre: least_hand <= level <= most_hand.
-    void set_level(int level) { level_ = level; }
-
     /// Lets the player's seconds pass. Returns false when a meter has run out.
     bool pass(double seconds);
     /// The player's time after so many further seconds, for MouseStroke and KeyRepeat.
@@ -40,7 +35,6 @@ class PersonStroke {
     const std::optional<KeyRepeatTimes>& key_repeat() const { return keys_.times(); }
 
   private:
-    int level_ = 2;
     double now_ = 0.0;  ///< s of the player's time
     std::optional<StrokeMeter> meter_;
     std::optional<MouseStroke> push_;

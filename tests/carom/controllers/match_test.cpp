@@ -98,7 +98,7 @@ TEST_CASE("a match against carom resumes against an opponent of equal skill") {
     CHECK((title_of(after).find("you") != std::string::npos ||
            title_of(after).find("carom") != std::string::npos));
     after.key(U'O');
-    CHECK(after.sees("against carom, 3 of 4"));
+    CHECK(after.sees("You play carom, 2 of 4, until the match is over"));
 }
 
 TEST_CASE("a table without a shot is not kept") {

@@ -48,6 +48,7 @@ struct Person : test::PersonAtWindow {
         key(key::enter);
     }
     Vec2 rack() const { return player.session().scene().pool.racks[0].foot; }
+    PoolPlayers& players() { return *player.pool_players(); }
     const PoolPlay& play() const { return std::get<PoolPlay>(player.session().game()); }
     Vec2 cue() const {
         const World& world = player.session().world();
@@ -174,7 +175,7 @@ TEST_CASE("the aim calls the ball that it pockets, and a key calls a safety") {
 
 TEST_CASE("against carom: it takes its turn, and No shot can be undone") {
     Person person("nine-ball");
-    REQUIRE(person.player.set_opponent(2));
+    REQUIRE(person.players().set_opponent(person.player.session(), 2));
     CHECK(person.sees("you: to break"));
     person.key(key::down);
     person.stroke();
@@ -197,8 +198,8 @@ TEST_CASE("in a match the mark of the meter decides, and one enter alone does no
     for (const double wait : {0.3, 0.62}) {
         CAPTURE(wait);
         Person person("nine-ball");
-        REQUIRE(person.player.set_opponent(1));
-        person.player.set_hand(4);
+        REQUIRE(person.players().set_opponent(person.player.session(), 1));
+        person.players().set_hand(4);
         person.key(key::enter);
         CHECK(person.sees("in the middle"));
         CHECK_FALSE(person.play().is_shooting);
@@ -220,8 +221,8 @@ TEST_CASE("in a match the mark of the meter decides, and one enter alone does no
 
 TEST_CASE("in a match the push of the mouse gives the speed, and the way is that of the aim") {
     Person person("nine-ball");
-    REQUIRE(person.player.set_opponent(1));
-    person.player.set_hand(4);
+    REQUIRE(person.players().set_opponent(person.player.session(), 1));
+    person.players().set_hand(4);
     person.pass(0.1);
     person.look();
     using enum InputEvent::Action;
@@ -259,7 +260,7 @@ TEST_CASE("in a match nothing of the outcome is shown, and there is no help") {
         return std::count(text.begin(), text.end(), '.');
     };
     const auto practice = dots();
-    REQUIRE(person.player.set_opponent(1));
+    REQUIRE(person.players().set_opponent(person.player.session(), 1));
     if (person.play().rules.player != 0) return;
     CHECK(dots() < practice);
     person.key(U'A');
@@ -277,11 +278,29 @@ TEST_CASE("in a match nothing of the outcome is shown, and there is no help") {
     CHECK(person.sees("before the break"));
 }
 
+// Regression: both were free in a match, so a lost frame could be left.
+TEST_CASE("in a match the opponent stays, and a frame is played to its end") {
+    Person person("nine-ball");
+    REQUIRE(person.players().set_opponent(person.player.session(), 1));
+    person.key(U'O');
+    CHECK(person.players().opponent() == 2);
+    person.stroke();
+    person.wait();
+    REQUIRE(person.play().shooter);
+    person.key(U'O');
+    CHECK(person.sees("2 of 4, until the match is over"));
+    CHECK(person.players().opponent() == 2);
+    const auto commands = person.player.session().commands().size();
+    person.key(U'N');
+    CHECK(person.sees("played to its end"));
+    CHECK(person.player.session().commands().size() == commands);
+}
+
 TEST_CASE("the same stroke of the same shot gives the same result") {
     Vec2 first;
     for (const int round : {0, 1}) {
         Person person("nine-ball");
-        REQUIRE(person.player.set_opponent(1));
+        REQUIRE(person.players().set_opponent(person.player.session(), 1));
         person.stroke();
         if (round == 0) first = person.last_strike();
         CHECK(person.last_strike() == first);
@@ -301,7 +320,7 @@ TEST_CASE("the coach sets up its shot, and explains it") {
 
 TEST_CASE("there is no opponent without a game of pool") {
     Person person("drill-stop");
-    CHECK_FALSE(person.player.set_opponent(2));
+    CHECK_FALSE(person.players().set_opponent(person.player.session(), 2));
     person.key(U'O');
     CHECK(person.sees("No game of pool"));
 }

@@ -1,0 +1,176 @@
+#include "carom/controllers/pool_actions.h"
+
+#include <fmt/format.h>
+
+#include "carom/controllers/editing.h"
+
+namespace carom::pool_actions {
+namespace {
+
+// For each press of a key.
+constexpr double coarse_turn = 1.0;  // degrees
+constexpr double fine_turn = 0.05;
+constexpr double speed_step = 0.1;   // m/s
+constexpr double tip_step = 0.05;    // in radii
+constexpr double cursor_step = 0.2;  // columns, with a ball in hand
+
+constexpr const char* no_game = "No game of pool is played here.";
+
+}  // namespace
+
+bool turn_coarsely(PoolController& table, PlayContext& play, int direction) {
+    if (!table.aims_with_keys(play)) return keeps_cue(play);
+    table.aim().turn(direction * coarse_turn);
+    return true;
+}
+
+void turn_finely(PoolController& table, PlayContext& play, int direction) {
+    if (table.aims_with_keys(play))
+        table.aim().turn(direction * fine_turn);
+    else if (!play.pointer.tool.is_empty())
+        move_cursor(play, -direction * cursor_step, 0.0);
+}
+
+bool change_speed(PoolController& table, PlayContext& play, int direction) {
+    if (!table.aims_with_keys(play)) return keeps_cue(play);
+    table.aim().change_speed(direction * speed_step);
+    return true;
+}
+
+bool move_tip(PoolController& table, const PlayContext& play, int side, int follow) {
+    if (!table.is_aiming(play) || play.pointer.shows_cursor) return false;
+    table.aim().move_tip(side * tip_step, follow * tip_step);
+    return true;
+}
+
+bool shoot(PoolController& table, PlayContext& play) {
+    if (table.shoot_with_key(play)) return true;
+    if (keeps_cue(play)) {
+        if (are_rolling(play))
+            say(play, fmt::format("The balls are still rolling. {} skips to rest.",
+                                  play.keys.hint("to-rest")));
+        return true;
+    }
+    if (!has_turns(play.session)) return false;
+    // Puts down the ball in hand.
+    grab(play);
+    play.pointer.shows_cursor = !play.pointer.tool.is_empty();
+    return true;
+}
+
+bool give_up_stroke(PoolController& table, PlayContext& play) {
+    if (!table.stroke().meter()) return false;
+    table.stroke().end();
+    say(play, "No stroke.");
+    return true;
+}
+
+bool edit_nothing(PlayContext& play) {
+    if (!has_turns(play.session)) return false;
+    say(play, pool_of(play.session) ? "only the cue moves balls here; pool-table has no rules"
+                                    : "only the cue moves balls in this game");
+    return true;
+}
+
+bool explain_cue(const PoolController& table, PlayContext& play) {
+    if (!table.aims_with_keys(play) && !has_turns(play.session)) return false;
+    say(play, "Arrows aim, enter shoots; or drag with the right button.");
+    return true;
+}
+
+void skip_to_rest(PlayContext& play) {
+    if (!are_rolling(play)) return say(play, "The balls are at rest.");
+    play.clock.hurry();
+}
+
+void next_pot(PoolController& table, PlayContext& play, bool backwards) {
+    if (table.is_aiming(play)) say(play, table.aim().next_pot(play.session, backwards));
+}
+
+bool next_pot_under_rules(PoolController& table, PlayContext& play, bool backwards) {
+    if (!has_turns(play.session)) return false;
+    next_pot(table, play, backwards);
+    return true;
+}
+
+void next_call(PoolController& table, PlayContext& play) {
+    if (table.stroke().meter()) return;
+    say(play, table.aim().next_call(play.session));
+}
+
+void next_aids(PoolController& table, PlayContext& play) {
+    say(play, table.aim().next_aids());
+}
+
+void place_cue_ball(PoolController& table, PlayContext& play) {
+    Pointer& pointer = play.pointer;
+    if (!pointer.tool.is_empty()) {
+        pointer.shows_cursor = false;
+        return pointer.tool.cancel(play.session);
+    }
+    if (!table.is_aiming(play) || !table.aim().may_place(play.session))
+        return say(play, "The cue ball is not in hand.");
+    const World& world = play.session.world();
+    const BallId ball = *table.aim().cue_ball(play.session);
+    pointer.at = world.balls().position[*index_of(world, ball)];
+    pointer.tool.grab_to_place(world, ball, pointer.at);
+    pointer.shows_cursor = true;
+    say(play, "Move the ball with the arrows; p or enter puts it down.");
+}
+
+void rack_again(const PoolController& table, PlayContext& play) {
+    const PoolPlay* const pool = pool_of(play.session);
+    if (pool && table.players().is_match(play.session) && pool->shooter &&
+        pool->rules.phase != PoolPhase::over)
+        return say(play, "In a match a frame is played to its end.");
+    obey(play, command::RackAgain{}, "the balls are racked");
+}
+
+void next_opponent(PoolController& table, PlayContext& play) {
+    PoolPlayers& players = table.players();
+    if (players.is_match(play.session) && is_in_match(play.session))
+        return say(play, players.opponent() > 0
+                             ? fmt::format("You play carom, {} of {}, until the match is over.",
+                                           players.opponent(), most_skill)
+                             : "The opponent stays until the match is over.");
+    const int next = (players.opponent() + 1) % (most_skill + 1);
+    if (!players.set_opponent(play.session, next)) return say(play, no_game);
+    say(play, next > 0 ? fmt::format("against carom, {} of {}: {}; you have {}", next, most_skill,
+                                     skill_text(next), hand_text(players.hand()))
+                       : "two players");
+}
+
+void next_hand(PoolController& table, PlayContext& play) {
+    PoolPlayers& players = table.players();
+    const PoolPlay* const pool = pool_of(play.session);
+    if (!pool) return say(play, no_game);
+    if (players.is_match(play.session) && pool->shooter)
+        return say(play, "Choose your skill before the break.");
+    players.set_hand(players.hand() % most_hand + least_hand);
+    say(play, fmt::format("in a match you have {}, {} of {}", hand_text(players.hand()),
+                          players.hand(), most_hand));
+}
+
+void tell_record(const PoolController& table, PlayContext& play) {
+    say(play, text_for_player(table.players().record()));
+}
+
+void ask_coach(PoolController& table, PlayContext& play) {
+    if (table.players().is_match(play.session)) return say(play, "There is no coach in a match.");
+    if (!pool_of(play.session) || !table.is_aiming(play))
+        return say(play, "The coach speaks when it is your turn.");
+    table.coach().ask();
+    say(play, "The coach is thinking.");
+}
+
+void undo_shot(PoolController& table, PlayContext& play) {
+    PoolPlayers& players = table.players();
+    if (players.is_match(play.session)) return say(play, "No shot can be undone in a match.");
+    players.hesitate();
+    if (!undo(play)) return;
+    while (players.is_opponents_turn(play.session) && play.session.undo()) {
+    }
+    set_reference(play);
+}
+
+}  // namespace carom::pool_actions

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "carom/controllers/pool_controller.h"
+
+/// What keys do at a pool table, for the table of actions (carom/controllers/action_table.cpp).
+/// Those that return false do nothing, because the key means something else at present.
+namespace carom::pool_actions {
+
+bool turn_coarsely(PoolController& table, PlayContext& play, int direction);
+void turn_finely(PoolController& table, PlayContext& play, int direction);
+bool change_speed(PoolController& table, PlayContext& play, int direction);
+bool move_tip(PoolController& table, const PlayContext& play, int side, int follow);
+bool shoot(PoolController& table, PlayContext& play);
+bool give_up_stroke(PoolController& table, PlayContext& play);
+/// Says that a game's balls are not edited.
+bool edit_nothing(PlayContext& play);
+bool explain_cue(const PoolController& table, PlayContext& play);
+void skip_to_rest(PlayContext& play);
+
+void next_pot(PoolController& table, PlayContext& play, bool backwards);
+/// The same under rules, where the editor's keys for the next ball have nothing else to do.
+bool next_pot_under_rules(PoolController& table, PlayContext& play, bool backwards);
+void next_call(PoolController& table, PlayContext& play);
+void next_aids(PoolController& table, PlayContext& play);
+void place_cue_ball(PoolController& table, PlayContext& play);
+
+/// Racks the next frame; in a match, once this one is over.
+void rack_again(const PoolController& table, PlayContext& play);
+/// Changes the opponent; in a match, before the first break.
+void next_opponent(PoolController& table, PlayContext& play);
+void next_hand(PoolController& table, PlayContext& play);
+void tell_record(const PoolController& table, PlayContext& play);
+void ask_coach(PoolController& table, PlayContext& play);
+/// Goes back to the player's own last turn.
+void undo_shot(PoolController& table, PlayContext& play);
+
+}  // namespace carom::pool_actions

@@ -1,0 +1,76 @@
+#include "carom/pool/pool_players.h"
+
+#include <array>
+
+namespace carom {
+
+bool PoolPlayers::set_opponent(const Session& session, int skill) {
+    if (!pool_of(session)) return false;
+    opponent_.set_skill(skill);
+    announcer_.skip(session, names());
+    return true;
+}
+
+PlayerNames PoolPlayers::names() const {
+    if (opponent() > 0) return {"you", "carom"};
+    return {"player 1", "player 2"};
+}
+
+bool PoolPlayers::is_match(const Session& session) const {
+    return pool_of(session) && (opponent() > 0 || session.scene().pool.race > 0);
+}
+
+PoolRecord PoolPlayers::record() const {
+    PoolRecord all = record_;
+    add(all, tally_.since());
+    return all;
+}
+
+std::optional<PoolRecord> PoolPlayers::take_record(bool all) {
+    if (!tally_.has_ended() && !all) return std::nullopt;
+    const PoolRecord since = tally_.take();
+    return since == PoolRecord{} ? std::nullopt : std::optional(since);
+}
+
+void PoolPlayers::pass(PlayContext& play, double seconds) {
+    opponent_.play(play, seconds);
+    count_time(play, seconds);
+    tally(play, seconds);
+}
+
+std::optional<std::string> PoolPlayers::tell_outcome(const Session& session) {
+    return announcer_.tell(session, names());
+}
+
+// The opponent needs no clock, and whoever looks back at the past is not hurried.
+void PoolPlayers::count_time(PlayContext& play, double seconds) {
+    const Session& session = play.session;
+    if (play.clock.is_paused() || is_opponents_turn(session) ||
+        session.world().tick() < session.latest() || !clock_.pass(session, seconds))
+        return;
+    if (const auto why_not = play.session.apply(command::TimeOut{})) complain(play, *why_not);
+    set_reference(play);
+}
+
+void PoolPlayers::tally(const PlayContext& play, double seconds) {
+    const PoolPlay* const pool = pool_of(play.session);
+    if (!pool || play.session.world().tick() < play.session.latest()) return;
+    tally_.look(*pool, opponent());
+    if (is_awaited(*pool) && !is_opponents_turn(play.session) && !play.clock.is_paused())
+        tally_.pass(seconds);
+}
+
+void PoolPlayers::continue_from(const Session& session, const PoolPlayers& before) {
+    hand_ = before.hand_;
+    tally_ = before.tally_;
+    record_ = before.record_;
+    if (before.opponent() > 0) set_opponent(session, before.opponent());
+}
+
+bool is_in_match(const Session& session) {
+    const PoolPlay* const pool = pool_of(session);
+    if (!pool || session.is_following() || match_winner(*pool)) return false;
+    return pool->shooter || pool->frames != std::array<std::uint32_t, 2>{};
+}
+
+}  // namespace carom
