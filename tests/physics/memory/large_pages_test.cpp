@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 #include <cstdint>
+#include <new>
 
 using namespace carom;
 
@@ -26,4 +27,16 @@ TEST_CASE("a small array has the alignment of its type") {
         const LargeVector<DoubleDouble> wide(count);
         CHECK(reinterpret_cast<std::uintptr_t>(wide.data()) % 128 == 0);
     }
+}
+
+TEST_CASE("large pages are one after another, and can be written from end to end") {
+    for (const std::size_t bytes : {large_page, large_page + 1, 3 * large_page - 1}) {
+        auto* const start = static_cast<unsigned char*>(map_large_pages(bytes));
+        CHECK(reinterpret_cast<std::uintptr_t>(start) % large_page == 0);
+        CHECK(start[0] == 0);
+        start[bytes - 1] = 1;
+        CHECK(start[bytes - 1] == 1);
+        unmap_large_pages(start, bytes);
+    }
+    CHECK_THROWS_AS(map_large_pages(~std::size_t{0}), std::bad_alloc);
 }
