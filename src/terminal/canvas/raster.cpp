@@ -25,6 +25,7 @@ Raster::Raster(const Renderer& renderer, int columns, int rows, double aspect, c
       width_(1.0 / renderer.across),
       height_(aspect / renderer.down),
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+    if (renderer.has_regions()) lines_ = LineLayer(columns_, rows_);
     for (int i = 0; i < renderer.across * renderer.down; ++i) {
         middles_[static_cast<std::size_t>(i)] = {(i % renderer.across + 0.5) * width_,
                                                  (i / renderer.across + 0.5) * height_};
@@ -39,6 +40,10 @@ CellSamples& Raster::cell_at(int column, int row) {
 const CellSamples& Raster::cell_at(int column, int row) const {
     return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                   static_cast<std::size_t>(column)];
+}
+
+void Raster::erase_line(int column, int row) {
+    if (renderer_->has_regions()) lines_.erase(column, row);
 }
 
 Raster::Span Raster::columns_within(double left, double right) const {
@@ -100,6 +105,7 @@ void Raster::stamp(RasterPoint center, std::string_view glyphs, const Ink& ink) 
         const double column = first + static_cast<double>(i);
         if (!(column >= 0.0 && column < columns_)) continue;
         fill_cell(cell_at(static_cast<int>(column), static_cast<int>(row)), {ink, 0, glyphs[i]});
+        erase_line(static_cast<int>(column), static_cast<int>(row));
     }
 }
 
@@ -129,6 +135,13 @@ std::uint8_t Raster::level_at(int across, int down) const {
 void Raster::show(Canvas& canvas, int column, int row) const {
     for (int r = 0; r < rows_; ++r) {
         for (int c = 0; c < columns_; ++c) {
+            if (renderer_->has_regions() && is_shown(lines_.line(c, r))) {
+                const CellLine& line = lines_.line(c, r);
+                canvas.put(column + c, row + r,
+                           {static_cast<unsigned char>(glyph_of(line)), line.ink.color,
+                            default_color, line.ink.attributes});
+                continue;
+            }
             const CellSamples& from = cell_at(c, r);
             const bool is_empty = std::bit_cast<std::uint64_t>(from.levels) == 0;
             if (is_empty && from.fill == '\0') continue;

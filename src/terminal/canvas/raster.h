@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "terminal/canvas/canvas.h"
+#include "terminal/canvas/cell_line.h"
 #include "terminal/canvas/palette.h"
 #include "terminal/canvas/renderer.h"
 
@@ -73,7 +74,8 @@ class Raster {
     /// Renderers with pixels: the soft shadow of a ball that lies on a surface, to its lower right.
     /// A ball of few pixels has none.
     void ball_shadow(RasterPoint center, double radius, const BallPaint& paint, Color color);
-    /// A capsule, drawn at least a hairline thick. All of it is inside.
+    /// A capsule, drawn at least a hairline thick. All of it is inside. Renderers with regions draw
+    /// a thin one as a line of characters.
     void capsule(RasterPoint start, RasterPoint end, double radius, const Brush& brush);
     /// A hairline from start to end, `strength` (0 to 255) of full.
     void line(RasterPoint start, RasterPoint end, const Ink& ink, std::uint8_t strength = 255);
@@ -111,6 +113,7 @@ class Raster {
     void blend(CellSamples& cell, std::size_t pixel, const Ink& ink, double opacity);
     std::uint8_t tone_of_sample(std::uint8_t tone, int sample) const;
     void fill_cell(CellSamples& cell, const Brush& brush);
+    void erase_line(int column, int row);
     Ink visible(Ink ink) const;
     Span columns_within(double left, double right) const;
     CellSamples& cell_at(int column, int row);
@@ -127,6 +130,7 @@ class Raster {
     double height_;
     std::array<RasterPoint, most_samples> middles_{};  // of the samples, from the cell's corner
     std::vector<CellSamples> cells_;
+    LineLayer lines_;  // renderers with regions only
 };
 
 }  // namespace carom

@@ -31,6 +31,11 @@ bool is_finite(RasterPoint p) {
 // The share of a pixel that a shape must cover to have it, where borders are sharp.
 constexpr double least_cover = 0.5;
 
+// Renderers with regions: half the width of the widest capsule that is a line of characters, in
+// columns, and the tone from which that line is not dotted.
+constexpr double widest_line = 0.8;
+constexpr std::uint8_t least_strong = 128;
+
 // How a shape covers a sample: the covered share, and the part of it that is inside the rim.
 struct Cover {
     double outer = 0.0;
@@ -96,11 +101,17 @@ void Raster::paint_cell(int column, int row, const Brush& brush, Coverage covera
         is_all_inside = is_all_inside && (is_one ? cell.levels[i] == 255 : cover.inner >= 1.0);
     }
     if (!is_touched) return;
+    constexpr double most_lined = 0.4;  // the covered share of a cell that still shows its lines
+    if (mine > most_lined * 255.0 * static_cast<double>(count)) erase_line(column, row);
     if (mine > 0.0 && mine >= theirs) {
         cell.colors[0] = brush.ink.color;
         cell.attributes[0] = brush.ink.attributes;
     }
-    cell.fill = is_all_inside ? brush.fill : '\0';
+    // A solid shape has few borders to look at: most of a cell is all of it.
+    constexpr double mostly = 0.45;
+    const bool is_solid = brush.tone == 255 && renderer_->has_regions() &&
+                          mine > mostly * 255.0 * static_cast<double>(count);
+    cell.fill = is_all_inside || is_solid ? brush.fill : '\0';
 }
 
 template <class SpanAt, class Inside, class Coverage>
@@ -114,6 +125,7 @@ void Raster::paint_rows(double top, double bottom, const Brush& brush, SpanAt sp
         for (int column = span.first; column <= span.last; ++column) {
             if (inside(column + 0.5, (row + 0.5) * aspect_)) {
                 fill_cell(cell_at(column, row), brush);
+                erase_line(column, row);
             } else {
                 paint_cell(column, row, brush, coverage);
             }
@@ -132,7 +144,11 @@ void Raster::disc(RasterPoint center, double radius, double rim, const Brush& pa
             return;
         }
         const int across = std::min(static_cast<int>(center.x / width_), samples_across() - 1);
-        const int down = std::min(static_cast<int>(center.y / height_), samples_down() - 1);
+        int down = std::min(static_cast<int>(center.y / height_), samples_down() - 1);
+        // Two characters show where a dot is: a point above, and one below.
+        if (renderer_->has_regions())
+            down = static_cast<int>(center.y / aspect_) * renderer_->down +
+                   (std::fmod(center.y, aspect_) < 0.5 * aspect_ ? 0 : renderer_->down - 1);
         const double area = 3.14159 * radius * radius / (width_ * height_);
         const double opacity = std::clamp(area, renderer_->level_of_dot, 1.0);
         if (renderer_->has_pixels() && look_.has_shades())
@@ -217,6 +233,11 @@ void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Br
     }
     if (radius <= hairline() && is_sharp_ && renderer_->is_sharp && brush.tone > 0)
         return thin_line(start, end, brush);
+    const bool is_point = start.x == end.x && start.y == end.y;
+    if (renderer_->has_regions() && !is_point && radius <= widest_line && brush.tone > 0) {
+        return lines_.draw({start.x, start.y / aspect_}, {end.x, end.y / aspect_}, brush.ink,
+                           brush.tone < least_strong);
+    }
     const double thickness = std::max(radius, hairline());
     const double clearance = std::max(width_, height_);
     const double reach = thickness + clearance;

@@ -57,7 +57,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_overlays_below(raster, view);
     if (options.trails) {
         add_to_trails(memory.trails, camera, raster, world, inks);
-        paint_trails(raster, memory.trails);
+        paint_trails(raster, memory.trails, options.look);
     } else {
         memory.trails = {};
     }

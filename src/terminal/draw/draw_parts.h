@@ -25,6 +25,14 @@ struct View {
 };
 
 /// A world point, in the raster's columns.
+/// A round edge, `radius` in columns. In ASCII it is a few characters of the same shape wherever it
+/// lies.
+void paint_peg(Raster& raster, RasterPoint center, double radius, const Brush& brush);
+
+/// The row in which a number is written on a ball whose middle is at `row`: in ASCII, a row of its
+/// shape.
+int middle_row(const View& view, double radius, double row);
+
 RasterPoint to_raster(const Camera& camera, Vec2 point);
 
 /// The offsets at which a body is shown: zero, and on a torus also those that bring an image of
@@ -114,8 +122,6 @@ double round_spacing(double columns_per_length);
 void write_coordinates(Canvas& canvas, const View& view);
 void write_counters(Canvas& canvas, const View& view);
 void write_labels(Canvas& canvas, const View& view);
-/// Whether the ball's number replaces the characters that ASCII has for a ball.
-bool hides_stamp(const View& view, BallId ball);
 void write_numbers(Canvas& canvas, const View& view);
 void write_annotations(Canvas& canvas, const View& view);
 

@@ -26,13 +26,17 @@ void paint_dot(Raster& raster, RasterPoint at, const Ink& ink) {
         raster.disc(at, 0.0, 0.0, {ink, 255, '\0'});
 }
 
-// In ASCII the number is all that is drawn of the ball, two or three columns wide.
+// In ASCII the number of a small ball is as wide as the ball.
 std::string label_of(const View& view, int number, double radius) {
     std::string text = std::to_string(number);
     if (!renderer_in_force(view.options).has_regions()) return text;
     const double columns = 2.0 * radius * view.camera.columns_per_length;
-    if (text.size() == 1 && columns >= 1.5) text = " " + text;
-    if (columns >= 2.7) text += " ";
+    constexpr double least_two = 1.5;
+    constexpr double least_three = 2.5;
+    constexpr double least_large = 3.8;  // it has a rim
+    if (columns >= least_large) return text;
+    if (text.size() == 1 && columns >= least_two) text = " " + text;
+    if (columns >= least_three) text += " ";
     return text;
 }
 
@@ -187,11 +191,6 @@ bool is_striped(const View& view, std::size_t ball) {
            is_stripe(number_of(*view.annotations.pool, view.world.balls().id[ball]));
 }
 
-bool hides_stamp(const View& view, BallId ball) {
-    return view.annotations.pool && view.options.labels == Labels::automatic &&
-           number_of(*view.annotations.pool, ball) > 0;
-}
-
 int number_width(const View& view, std::size_t ball) {
     if (!view.annotations.pool || view.options.labels != Labels::automatic) return 0;
     const int number = number_of(*view.annotations.pool, view.world.balls().id[ball]);
@@ -219,24 +218,25 @@ void write_numbers(Canvas& canvas, const View& view) {
         const std::string text = label_of(view, ball.number, view.world.balls().radius[*index]);
         const CellPoint at = to_cells(view.camera, view.world.balls().position[*index]);
         const int width = static_cast<int>(text.size());
-        const int row = static_cast<int>(std::floor(at.row));
+        const int row = middle_row(view, view.world.balls().radius[*index], at.row);
         const int first = static_cast<int>(std::floor(at.column - 0.5 * width + 0.5));
         if (row < area.row || row >= area.row + area.rows || first < area.column ||
             first + width > area.column + area.columns)
             continue;
-        if (renderer_in_force(view.options).has_pixels() &&
-            !is_free(taken, {row, first, first + width}))
-            continue;
+        if (!is_free(taken, {row, first, first + width})) continue;
         const bool is_white = is_stripe(ball.number);
         if (!look.has_colors()) {
             canvas.write(first, row, text, default_color, default_color,
                          static_cast<std::uint8_t>(is_white ? bold : bold | reverse));
             continue;
         }
-        // Stripes are white.
-        const Color color =
-            is_white ? ink_of(Role::stripe_white, look).color : view.inks[*index].color;
-        canvas.write(first, row, text, text_color_on(color, look), color, bold);
+        // Stripes are white, with a number in their colour.
+        const Color own = view.inks[*index].color;
+        const Color color = is_white ? ink_of(Role::stripe_white, look).color : own;
+        constexpr double legible = 0.7;
+        const Color ink =
+            is_white && look.has_shades() ? dimmed(own, legible, look) : text_color_on(color, look);
+        canvas.write(first, row, text, ink, color, bold);
     }
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "terminal/draw/draw_parts.h"
@@ -33,15 +34,54 @@ const Texture& texture_of(const View& view, std::size_t ball) {
 }
 
 // ASCII: the radii, in columns, from which a ball is drawn as one, two or three characters, and
-// from which it is a shape. Characters do not change while the ball moves; shapes of so few cells
+// from which it is larger. Characters do not change while the ball moves; shapes of so few cells
 // would flicker. Below the first radius a ball is a dot, whose position shows within the cell.
 constexpr std::array<double, 4> stamp_radii = {0.35, 0.75, 1.25, 1.9};
+
+// Larger balls, of several rows. A blank is the inside.
+struct LargeStamp {
+    double radius;  ///< from which it is used, in columns
+    std::array<std::string_view, 4> rows;
+};
+constexpr std::array<LargeStamp, 4> large_stamps = {
+    {{1.9, {"/\"\"\\", "\\__/"}},
+     {2.4, {".-.", "(   )", "'-'"}},
+     {3.0, {".---.", "(     )", "'---'"}},
+     {3.7, {".----.", "/      \\", "\\      /", "'----'"}}}};
+// From this radius on, a ball is a ring around a middle that lies on the grid of cells, so that it
+// has the same shape wherever it is.
+constexpr double least_ring = 4.6;
 
 // The width, in columns, of the stamp for this radius; 0: none.
 std::size_t stamp_width(const Raster& raster, double radius) {
     if (!raster.renderer().has_regions() || radius >= stamp_radii.back()) return 0;
     const auto above = std::upper_bound(stamp_radii.begin(), stamp_radii.end(), radius);
     return static_cast<std::size_t>(above - stamp_radii.begin());
+}
+
+// Writes the rows below each other, their middle as near to `center` as cells allow.
+void stamp_rows(Raster& raster, RasterPoint center, const LargeStamp& stamp, char inside,
+                const Ink& ink) {
+    const auto rows = std::ranges::count_if(stamp.rows, [](auto row) { return !row.empty(); });
+    const double aspect = raster.aspect();
+    const double top = std::floor(center.y / aspect - 0.5 * static_cast<double>(rows) + 0.5);
+    const std::size_t width = std::ranges::max(stamp.rows, {}, &std::string_view::size).size();
+    const double left = std::floor(center.x - 0.5 * static_cast<double>(width) + 0.5);
+    for (int row = 0; row < rows; ++row) {
+        std::string text(stamp.rows[static_cast<std::size_t>(row)]);
+        std::ranges::replace(text, ' ', inside);
+        raster.stamp({left + 0.5 * static_cast<double>(width), (top + row + 0.5) * aspect}, text,
+                     ink);
+    }
+}
+
+// The nearest place on the grid of cells, around which a shape is the same everywhere: in the
+// middle of a row or between rows, so that its uppermost row is more than a sliver.
+RasterPoint on_grid(const Raster& raster, RasterPoint center, double radius) {
+    const double aspect = raster.aspect();
+    const double rows = radius / aspect;
+    const double offset = rows - std::floor(rows) < 0.5 ? 0.5 : 0.0;
+    return {std::round(center.x), (std::round(center.y / aspect - offset) + offset) * aspect};
 }
 
 bool is_rimmed(const Raster& raster, double radius) {
@@ -87,9 +127,20 @@ BallPaint ball_paint(const View& view, std::size_t ball) {
 void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint center) {
     const double radius = view.world.balls().radius[ball] * view.camera.columns_per_length;
     if (const std::size_t width = stamp_width(raster, radius)) {
-        if (hides_stamp(view, view.world.balls().id[ball])) return;
         raster.stamp(center, texture_of(view, ball).stamps[width - 1], view.inks[ball]);
         return;
+    }
+    if (raster.renderer().has_regions()) {
+        if (radius < least_ring && radius >= stamp_radii.back()) {
+            const auto above =
+                std::ranges::upper_bound(large_stamps, radius, {}, &LargeStamp::radius);
+            const bool is_outline = view.options.ball_style == BallStyle::outline;
+            const bool is_plain = is_outline || view.options.look.has_colors();
+            stamp_rows(raster, center, *(above - 1), is_plain ? ' ' : texture_of(view, ball).fill,
+                       view.inks[ball]);
+            return;
+        }
+        if (radius >= least_ring) center = on_grid(raster, center, radius - raster.renderer().gap);
     }
     const double gap = raster.renderer().gap;
     const double shown = radius > 4.0 * gap ? radius - gap : radius;
@@ -160,6 +211,27 @@ void paint_areas_above(Raster& raster, const View& view) {
             corners.push_back(to_raster(view.camera, corner));
         fill_polygon(raster, corners, ink, see_through);
     }
+}
+
+int middle_row(const View& view, double radius, double row) {
+    const double columns = radius * view.camera.columns_per_length;
+    if (!renderer_in_force(view.options).has_regions() || columns < large_stamps.front().radius)
+        return static_cast<int>(std::floor(row));
+    if (columns >= least_ring) return static_cast<int>(std::floor(row));
+    const auto above = std::ranges::upper_bound(large_stamps, columns, {}, &LargeStamp::radius);
+    const bool is_even =
+        (above - 1)->rows[1].size() == (above - 1)->rows[0].size() || !(above - 1)->rows[3].empty();
+    return static_cast<int>(is_even ? std::round(row) : std::floor(row));
+}
+
+void paint_peg(Raster& raster, RasterPoint center, double radius, const Brush& brush) {
+    const bool is_stamp = raster.renderer().has_regions() && radius < least_ring;
+    if (is_stamp && radius < stamp_radii[1]) return raster.stamp(center, peg_stamp, brush.ink);
+    if (is_stamp && radius >= large_stamps.front().radius) {
+        const auto above = std::ranges::upper_bound(large_stamps, radius, {}, &LargeStamp::radius);
+        return stamp_rows(raster, center, *(above - 1), brush.fill, brush.ink);
+    }
+    raster.disc(center, std::max(radius, raster.hairline()), 0.0, brush);
 }
 
 RasterPoint to_raster(const Camera& camera, Vec2 point) {
@@ -282,14 +354,10 @@ void paint_edges(Raster& raster, const View& view, Level level) {
             if (!overlaps(grow(bounds(image), hair), visible)) continue;
             const RasterPoint start = to_raster(view.camera, image.start);
             const bool is_peg = image.start == image.end;
-            if (is_peg && raster.renderer().has_regions() && radius < stamp_radii[1]) {
-                raster.stamp(start, peg_stamp, ink);
-                continue;
-            }
             const Brush brush{ink, 255, '#'};
             if (level == Level::above) paint_shadow(raster, view, image);
             if (is_peg) {
-                raster.disc(start, std::max(radius, raster.hairline()), 0.0, brush);
+                paint_peg(raster, start, radius, brush);
             } else {
                 raster.capsule(start, to_raster(view.camera, image.end), radius, brush);
             }

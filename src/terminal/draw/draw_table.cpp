@@ -21,7 +21,7 @@ void paint_lit_edge(Raster& raster, const View& view, const TableLight& light) {
         std::max(light.shape.radius * view.camera.columns_per_length, 1.3 * raster.hairline());
     const Brush brush{ink_of_light(light, view.options.look), 255, '*'};
     if (light.shape.start == light.shape.end)
-        raster.disc(start, radius, 0.0, brush);
+        paint_peg(raster, start, radius, brush);
     else
         raster.capsule(start, to_raster(view.camera, light.shape.end), radius, brush);
 }

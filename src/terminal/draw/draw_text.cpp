@@ -185,6 +185,9 @@ void write_labels(Canvas& canvas, const View& view) {
         std::string text = label_of(view, i);
         const int room = static_cast<int>(std::min(chord, 100.0)) - 1;
         if (columns_of(text) > room) text = fmt::format("{}", number(balls.id[i]));
+        // Characters inside a ball would run into the text.
+        if (renderer_in_force(view.options).has_regions() && columns_of(text) + 2 <= room)
+            text = " " + text + " ";
         const int width = columns_of(text);
         if (width > room && labels == Labels::automatic) continue;
         Ink ink = view.inks[i];

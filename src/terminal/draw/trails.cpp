@@ -103,7 +103,39 @@ void add_to_trails(Trails& trails, const Camera& camera, const Raster& raster, c
     trails.places = std::move(places);
 }
 
-void paint_trails(Raster& raster, const Trails& trails) {
+namespace {
+
+// Characters: a row of faint points, which leaves the shapes to balls and lines.
+void paint_points(Raster& raster, const Trails& trails, const Look& look) {
+    constexpr int least = 40;  // an older trail is gone
+    const int wide = trails.across / raster.columns();
+    const int high = trails.down / raster.rows();
+    for (int row = 0; row < raster.rows(); ++row) {
+        for (int column = 0; column < raster.columns(); ++column) {
+            std::size_t freshest = 0;
+            int level = 0;
+            for (int i = 0; i < wide * high; ++i) {
+                const auto at = static_cast<std::size_t>((row * high + i / wide) * trails.across +
+                                                         column * wide + i % wide);
+                if (trails.levels[at] <= level) continue;
+                level = trails.levels[at];
+                freshest = at;
+            }
+            if (level < least) continue;
+            Ink ink = trails.inks[freshest];
+            if (look.has_shades())
+                ink.color = dimmed(ink.color, 0.25 + 0.4 * level / 255.0, look);
+            else
+                ink.attributes = dim;
+            raster.stamp({column + 0.5, (row + 0.5) * raster.aspect()}, ".", ink);
+        }
+    }
+}
+
+}  // namespace
+
+void paint_trails(Raster& raster, const Trails& trails, const Look& look) {
+    if (raster.renderer().has_regions()) return paint_points(raster, trails, look);
     std::size_t i = 0;
     for (int down = 0; down < trails.down; ++down) {
         for (int across = 0; across < trails.across; ++across, ++i) {

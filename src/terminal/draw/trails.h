@@ -33,6 +33,6 @@ void add_to_trails(Trails& trails, const Camera& camera, const Raster& raster, c
                    std::span<const Ink> inks);
 
 /// Pre: the raster has the renderer and size of the last call of add_to_trails.
-void paint_trails(Raster& raster, const Trails& trails);
+void paint_trails(Raster& raster, const Trails& trails, const Look& look);
 
 }  // namespace carom

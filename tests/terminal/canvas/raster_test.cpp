@@ -165,7 +165,7 @@ TEST_CASE("dots show the position of a small disc within its cell") {
     raster.disc({1.75, 0.3}, 0.01, 0.0, solid);
     raster.disc({2.25, 1.0}, 0.01, 0.0, solid);
     raster.disc({3.25, 1.9}, 0.0, 0.0, solid);
-    CHECK(drawn(raster) == "`'-,\n");
+    CHECK(drawn(raster) == "''..\n");
 
     Raster dots(braille_renderer(), 2, 1, 2.0);
     dots.disc({0.25, 0.2}, 0.01, 0.0, solid);
@@ -179,7 +179,7 @@ TEST_CASE("many dots in a cell make it denser") {
         raster.disc({1.0 + (i % 40) / 40.0, (i % 37) / 18.5}, 0.01, 0.0, solid);
     }
     raster.disc({0.25, 1.0}, 0.01, 0.0, solid);
-    CHECK(drawn(raster) == "-@\n");
+    CHECK(drawn(raster) == ".@\n");
 }
 
 TEST_CASE("later shapes cover earlier ones, with their colour") {
@@ -286,13 +286,13 @@ TEST_CASE("a disc, a ring and lines, as they look in ASCII") {
     raster.line({33.0, 1.0}, {43.0, 15.0}, {});
     raster.line({33.0, 15.0}, {43.0, 1.0}, {});
     CHECK("\n" + drawn(raster) == R"(
-    .;gggg;,        ._/~~\_,    -;        ;-
-  ;g@@@@@@@@g;    ;*"      "*;   '\,    ./`
- J@@@@@@@@@@@@L  ]`          '[    ^;  ;^
- @@@@@@@@@@@@@@  [            ]     '\/`
- @@@@@@@@@@@@@@  [            ]     ./\,
- ]@@@@@@@@@@@@[  ],          .[    ;^  ^;
-  ^M@@@@@@@@M^    ^\_      _/^   ./`    '\,
-    '^TTTT^`        '"*~~*"`    -^        ^-
+    ..;@@;..        ../~~\..     \        /
+  ;@@@@@@@@@@;    ;*"      "*;    \      /
+ ]@@@@@@@@@@@@[  ]'          '[    \    /
+ @@@@@@@@@@@@@@  [            ]      \/
+ @@@@@@@@@@@@@@  [            ]      /\
+ ]@@@@@@@@@@@@[  ].          .[    /    \
+  ^@@@@@@@@@@^    ^\.      ./^    /      \
+    '"*@@*"'        '"*~~*"'     /        \
 )");
 }

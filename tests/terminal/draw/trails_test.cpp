@@ -115,7 +115,7 @@ TEST_CASE("trails are fainter than balls") {
     Raster raster(half_block_renderer(), 40, 10, 2.0);
     const std::vector<Ink> inks(1, Ink{3, plain});
     add_to_trails(path.trails, path.camera, raster, path.world, inks);
-    paint_trails(raster, path.trails);
+    paint_trails(raster, path.trails, {});
     int brightest = 0;
     for (int down = 0; down < raster.samples_down(); ++down) {
         for (int across = 0; across < raster.samples_across(); ++across) {

@@ -44,14 +44,14 @@ TEST_CASE("a falling ball turns potential into kinetic energy, in ASCII") {
     draw_energy(canvas, {0, 0, 40, 10}, history, 0.01, {0, false, false});
     CHECK("\n" + canvas.text() == R"(
 energy  kinetic  potential  total
-50 ^*[|"""""""""""""""""""""""""""""|Y*"
-      '"*~;_                  ._/~^"
-           '"*\_,         _;~^"
-                ""*\__;~^"`
-                __/*""^~;_,
-           ._/*"`         "^~;_
-      ._/~^"                  '"*~;_
-0  ;~^"                            '"*\_
+50 `-----------------------------------'
+       `--._                   _.-''
+            `--__         _.-''
+                ``-.__.--'
+                _.--'``-._
+            _--''         `--._
+       _.-''                   `--._
+0  .-''                            ``--.
    0 s                               1 s
 )");
 }
