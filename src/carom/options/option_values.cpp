@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "carom/text/suggest.h"
+#include "terminal/canvas/renderer.h"
 
 namespace carom {
 namespace {
@@ -182,6 +183,56 @@ std::optional<std::string> unavailable(SolverKind kind) {
     if (std::ranges::find(available, kind) != available.end()) return std::nullopt;
     return fmt::format("this version of carom does not have the solver '{}'; it has {}", name(kind),
                        fmt::join(available_names(), ", "));
+}
+
+std::vector<SolverKind> solvers_of_measure(std::string_view option, const std::string& text) {
+    std::vector<SolverKind> kinds;
+    for (const CompareOptions::Side& side : solver_list(option, text)) {
+        if (side.rate)
+            throw BadValue("--solvers of measure takes no rates: they come from --rates");
+        kinds.push_back(side.kind);
+    }
+    return kinds;
+}
+
+std::vector<CompareOptions::Side> two_solvers(std::string_view option, const std::string& text) {
+    std::vector<CompareOptions::Side> sides = solver_list(option, text);
+    if (sides.size() != 2)
+        throw BadValue(
+            fmt::format("{} must name two, as in swept,discrete@480, but is '{}'", option, text));
+    return sides;
+}
+
+std::string guest_name(std::string_view option, const std::string& text) {
+    if (is_guest_name(text)) return text;
+    throw BadValue(
+        fmt::format("{} takes a name of up to 32 small letters, digits, '-' and '_', but is '{}'",
+                    option, text));
+}
+
+double idle_time(std::string_view option, const std::string& text) {
+    const double seconds = duration(option, text);
+    if (seconds < 0.1 || seconds > 1e6)
+        throw BadValue(fmt::format("{} must be from 0.1s to 1000000s, but is '{}'", option, text));
+    return seconds;
+}
+
+std::size_t bytes_of_mebibytes(std::string_view option, const std::string& text) {
+    return static_cast<std::size_t>(number_in({0, 65536}, option, text) * 1048576.0);
+}
+
+std::string solver_names() {
+    std::string names;
+    for (const SolverKind kind : solvers_available())
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", name(kind));
+    return names;
+}
+
+std::string renderer_names() {
+    std::string names;
+    for (const Renderer& renderer : renderers())
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", renderer.name);
+    return names;
 }
 
 }  // namespace carom

@@ -54,6 +54,19 @@ struct WindowSize {
 WindowSize window_size(std::string_view option, const std::string& text);
 ThemeChoice theme_option(std::string_view option, const std::string& text);
 
+/// Solvers of `carom measure`, which takes no rates with them.
+std::vector<SolverKind> solvers_of_measure(std::string_view option, const std::string& text);
+/// "swept,discrete@480".
+std::vector<CompareOptions::Side> two_solvers(std::string_view option, const std::string& text);
+std::string guest_name(std::string_view option, const std::string& text);
+/// Seconds, from 0.1 to 1e6.
+double idle_time(std::string_view option, const std::string& text);
+std::size_t bytes_of_mebibytes(std::string_view option, const std::string& text);
+
+/// "discrete, substep, swept": all that are available, for help.
+std::string solver_names();
+std::string renderer_names();
+
 /// The reason why a solver cannot be used, with those that can; none if it can.
 std::optional<std::string> unavailable(SolverKind kind);
 

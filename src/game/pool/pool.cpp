@@ -119,55 +119,30 @@ void add_snooker(Digest& digest, const PoolPlay& play) {
     }
 }
 
-}  // namespace
-
-std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
-    Digest digest(start);
-    const auto add = [&digest](auto value) {
+auto adding_to(Digest& digest) {
+    return [&digest](auto value) {
         digest.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
     };
-    const auto add_shot = [&](const PoolShot& shot) {
-        add(shot.first_hit.value_or(-1));
-        add(shot.rail_after_hit);
-        add(shot.railed);
-        add(shot.pocketed.size());
-        for (const PoolShot::Pocketed& pocketed : shot.pocketed) {
-            add(pocketed.ball);
-            add(pocketed.pocket);
-        }
-    };
+}
+
+void add_shot(Digest& digest, const PoolShot& shot) {
+    const auto add = adding_to(digest);
+    add(shot.first_hit.value_or(-1));
+    add(shot.rail_after_hit);
+    add(shot.railed);
+    add(shot.pocketed.size());
+    for (const PoolShot::Pocketed& pocketed : shot.pocketed) {
+        add(pocketed.ball);
+        add(pocketed.pocket);
+    }
+}
+
+constexpr std::size_t usual_balls = 16;
+
+// Later members count only where a game uses them, so that older recordings keep their marks.
+void add_later(Digest& digest, const PoolPlay& play) {
+    const auto add = adding_to(digest);
     const PoolState& rules = play.rules;
-    add(rules.referee->id());
-    add(rules.options.nine_on_break_wins);
-    add(rules.options.fouls_that_lose);
-    add(rules.phase);
-    add(rules.player);
-    add(rules.down);
-    add(rules.group ? static_cast<int>(*rules.group) : -1);
-    add(rules.in_hand);
-    add(rules.may_push_out);
-    add(rules.fouls[0]);
-    add(rules.fouls[1]);
-    add(rules.choices.size());
-    for (const PoolChoice choice : rules.choices)
-        add(choice);
-    add(rules.winner.value_or(-1));
-    constexpr std::size_t usual_balls = 16;
-    for (std::size_t ball = 0; ball < usual_balls; ++ball)
-        add(play.balls[ball] ? static_cast<std::int64_t>(number(*play.balls[ball])) : -1);
-    add(play.call.kind);
-    add(play.call.ball);
-    add(play.call.pocket);
-    add(play.is_shooting);
-    add_shot(play.shot);
-    add(play.shooter.value_or(-1));
-    add(play.last_foul);
-    add(play.shots);
-    add(play.breaker);
-    add(play.frames[0]);
-    add(play.frames[1]);
-    if (play.race > 0) add(play.race);
-    // Later members count only where a game uses them, so that older recordings keep their marks.
     if (play.shot.hit_behind_string) add(1);
     if (play.has_crossed && rules.in_hand == CueInHand::behind_head_string) add(2);
     for (const PoolPlay::Frozen& frozen : play.frozen) {
@@ -193,6 +168,44 @@ std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
         add(rules.waiting);
     }
     if (play.last_penalty != 0) add(play.last_penalty);
+}
+
+}  // namespace
+
+std::uint64_t digest_of(std::uint64_t start, const PoolPlay& play) {
+    Digest digest(start);
+    const auto add = adding_to(digest);
+    const PoolState& rules = play.rules;
+    add(rules.referee->id());
+    add(rules.options.nine_on_break_wins);
+    add(rules.options.fouls_that_lose);
+    add(rules.phase);
+    add(rules.player);
+    add(rules.down);
+    add(rules.group ? static_cast<int>(*rules.group) : -1);
+    add(rules.in_hand);
+    add(rules.may_push_out);
+    add(rules.fouls[0]);
+    add(rules.fouls[1]);
+    add(rules.choices.size());
+    for (const PoolChoice choice : rules.choices)
+        add(choice);
+    add(rules.winner.value_or(-1));
+    for (std::size_t ball = 0; ball < usual_balls; ++ball)
+        add(play.balls[ball] ? static_cast<std::int64_t>(number(*play.balls[ball])) : -1);
+    add(play.call.kind);
+    add(play.call.ball);
+    add(play.call.pocket);
+    add(play.is_shooting);
+    add_shot(digest, play.shot);
+    add(play.shooter.value_or(-1));
+    add(play.last_foul);
+    add(play.shots);
+    add(play.breaker);
+    add(play.frames[0]);
+    add(play.frames[1]);
+    if (play.race > 0) add(play.race);
+    add_later(digest, play);
     if (rules.referee->needs_sight()) add_snooker(digest, play);
     return digest.value();
 }

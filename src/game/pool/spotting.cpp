@@ -71,6 +71,64 @@ bool is_in_triangle(const Rack& rack, const std::array<Vec2, 3>& corners, Vec2 p
     return is_inside;
 }
 
+// The ball that stayed on the table when the others are racked again; none: all are racked.
+std::optional<int> last_object_ball(const Scene& scene, PoolPlay& play) {
+    std::optional<int> last;
+    for (int ball = 1; ball <= object_balls(scene); ++ball)
+        if (slot(play, ball)) last = ball;
+    return last;
+}
+
+// Moves the cue ball and the last object ball out of the triangle, as straight pool has it: the
+// object ball to the head spot or, if the cue ball blocks it, to the middle; the cue ball to the
+// head spot or behind the head string. If both are in the way, the object ball is racked with the
+// others. Returns whether it stays on the table, so that the apex remains free.
+bool clear_triangle(const Scene& scene, World& world, PoolPlay& play,
+                    const std::vector<RackedBall>& places) {
+    const Rack& rack = rack_of(scene);
+    const double radius = radius_of(scene, 1);
+    const double pitch = 2.0 * radius + rack.gap;
+    const auto rows = static_cast<std::size_t>(rack.layout->rows.size());
+    const auto size = static_cast<std::size_t>(object_balls(scene));
+    // Counter-clockwise: the apex, and the rear corners right and left.
+    const std::array<Vec2, 3> corners{rack.foot, rack.foot + places[size - 1].grid * pitch,
+                                      rack.foot + places[size - rows].grid * pitch};
+    const auto position = [&](int ball) {
+        return world.balls().position[*index_of(world, *slot(play, ball))];
+    };
+    const auto is_in_the_way = [&](int ball) {
+        return is_in_triangle(rack, corners, position(ball), radius);
+    };
+    const Vec2 head = head_spot(scene);
+    const Vec2 middle = (head + rack.foot) * 0.5;
+    const auto blocks = [&](int ball, Vec2 spot) {
+        return length(position(ball) - spot) < 2.0 * radius;
+    };
+
+    std::optional<int> last = last_object_ball(scene, play);
+    const bool cue_in_the_way = is_in_the_way(cue_ball);
+    std::optional<Vec2> cue_to;
+    if (last && is_in_the_way(*last)) {
+        const Vec2 to = blocks(cue_ball, head) ? middle : head;
+        take_off(world, play, *last);
+        if (cue_in_the_way)
+            last.reset();
+        else
+            put(scene, world, play, *last, to);
+    } else if (last && cue_in_the_way) {
+        if (blocks(*last, head))
+            cue_to = middle;
+        else if (!is_beyond_string(scene, position(*last)))
+            cue_to = head;
+    }
+    if (cue_in_the_way) {
+        take_off(world, play, cue_ball);
+        if (!cue_to) play.rules.in_hand = CueInHand::behind_head_string;
+        put(scene, world, play, cue_ball, cue_to.value_or(cue_place(scene, world, play)));
+    }
+    return last.has_value();
+}
+
 }  // namespace
 
 void put_on_spot(const Scene& scene, World& world, PoolPlay& play, int ball) {
@@ -92,65 +150,17 @@ void put_back(const Scene& scene, World& world, PoolPlay& play) {
 
 void rack_rest(const Scene& scene, World& world, PoolPlay& play) {
     const Rack& rack = rack_of(scene);
-    const double radius = radius_of(scene, 1);
-    const double pitch = 2.0 * radius + rack.gap;
     ++play.racks;
     const std::vector<RackedBall> places =
         racked({rack.layout, rack.toward, rack.gap, rack.seed}, play.racks);
-    const auto place_of = [&](std::size_t i) {
-        return rack.foot + places[i].shift + places[i].grid * (2.0 * radius + places[i].gap);
-    };
-    const int count = object_balls(scene);
-    const auto rows = static_cast<std::size_t>(rack.layout->rows.size());
-    const auto size = static_cast<std::size_t>(count);
-    // Counter-clockwise: the apex, and the rear corners right and left.
-    const std::array<Vec2, 3> corners{rack.foot, rack.foot + places[size - 1].grid * pitch,
-                                      rack.foot + places[size - rows].grid * pitch};
-    const auto is_in_the_way = [&](Vec2 place) {
-        return is_in_triangle(rack, corners, place, radius);
-    };
-    const auto position = [&](int ball) {
-        return world.balls().position[*index_of(world, *slot(play, ball))];
-    };
-    const Vec2 head = head_spot(scene);
-    const Vec2 middle = (head + rack.foot) * 0.5;
-    const auto blocks = [&](Vec2 place, Vec2 spot) { return length(place - spot) < 2.0 * radius; };
-
-    int last = 0;
-    bool has_last = false;
-    for (int ball = 1; ball <= count; ++ball) {
-        if (!slot(play, ball)) continue;
-        last = ball;
-        has_last = true;
+    const bool leaves_last = clear_triangle(scene, world, play, places);
+    std::size_t next = leaves_last ? 1 : 0;
+    for (int ball = 1; ball <= object_balls(scene); ++ball) {
+        if (slot(play, ball)) continue;
+        const RackedBall& to = places[next++];
+        const double pitch = 2.0 * radius_of(scene, 1) + to.gap;
+        put(scene, world, play, ball, rack.foot + to.shift + to.grid * pitch);
     }
-    const bool cue_in_the_way = is_in_the_way(position(cue_ball));
-    std::optional<Vec2> last_to;
-    std::optional<Vec2> cue_to;
-    if (has_last && is_in_the_way(position(last))) {
-        if (cue_in_the_way) {
-            take_off(world, play, last);
-            has_last = false;
-        } else {
-            last_to = blocks(position(cue_ball), head) ? middle : head;
-        }
-    } else if (has_last && cue_in_the_way) {
-        if (blocks(position(last), head))
-            cue_to = middle;
-        else if (!is_beyond_string(scene, position(last)))
-            cue_to = head;
-    }
-    if (last_to) {
-        take_off(world, play, last);
-        put(scene, world, play, last, *last_to);
-    }
-    if (cue_in_the_way) {
-        take_off(world, play, cue_ball);
-        if (!cue_to) play.rules.in_hand = CueInHand::behind_head_string;
-        put(scene, world, play, cue_ball, cue_to.value_or(cue_place(scene, world, play)));
-    }
-    std::size_t next = has_last ? 1 : 0;
-    for (int ball = 1; ball <= count; ++ball)
-        if (!slot(play, ball)) put(scene, world, play, ball, place_of(next++));
 }
 
 }  // namespace carom

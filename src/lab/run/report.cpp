@@ -209,22 +209,6 @@ void write_cost(JsonWriter& json, const RunRecord& record, double seconds) {
     json.end_object();
 }
 
-std::string summary_of_figures(const RunRecord& record, const World& world) {
-    std::string lines;
-    for (const Figure& figure : figures()) {
-        const auto value = record.watch.value(figure, world);
-        if (!figure.summary.empty() && value)
-            lines += fmt::format(fmt::runtime(figure.summary), *value);
-    }
-    return lines;
-}
-
-// ", or +1.2e-13 of it": the drift, for when both numbers print identically.
-std::string change_of(double start, double end) {
-    if (start == 0.0 || start == end) return {};
-    return fmt::format(", or {:+.1e} of it", (end - start) / std::abs(start));
-}
-
 }  // namespace
 
 std::string report_json(std::string_view level, const Scene& scene, const World& world,
@@ -264,75 +248,6 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     json.field("fingerprint", std::string_view(hexadecimal(fingerprint(world))));
     json.end_object();
     return std::move(json).text();
-}
-
-namespace {
-
-// "game        player 2, shots 5, score1 3, score2 1"; empty without a game.
-std::string summary_of_game(const RunRecord& record) {
-    std::string text;
-    for (const auto& [name, count] : record.tallies)
-        text += fmt::format("{}{} {}", text.empty() ? "game        " : ", ", name, count);
-    return text.empty() ? text : text + "\n";
-}
-
-}  // namespace
-
-std::string summary(const Scene& scene, const World& world, const RunRecord& record,
-                    double seconds) {
-    const double start = record.totals_start.energy();
-    const double end = totals(world).energy();
-    return fmt::format(
-        "{}\n"
-        "{} s simulated in {} ticks by {}, in {:.3g} s\n"
-        "balls       {} now, {} removed\n"
-        "collisions  {} of balls, {} with edges\n"
-        "energy      {:.6g} at the start, {:.6g} now{}\n"
-        "{}{}"
-        "fingerprint {}\n",
-        scene.title.empty() ? scene.file : scene.title, world.time(), world.tick(),
-        settings_text(record.solver, SettingsText::used), seconds, world.balls().size(),
-        world.removed().size(), world.ball_ball_collisions(), world.ball_edge_collisions(), start,
-        end, change_of(start, end), summary_of_figures(record, world), summary_of_game(record),
-        hexadecimal(fingerprint(world)));
-}
-
-std::string verdicts(const Scene& scene, const RunRecord& record, Verdict verdict) {
-    std::string text;
-    for (std::size_t i = 0; i < scene.expects.size(); ++i) {
-        const Expect& expect = scene.expects[i];
-        const Judgement& judgement = record.judgements[i];
-        if (judgement.verdict != verdict) continue;
-        text += fmt::format("{}:{}: {}: expect {}: {}\n", scene.file, expect.line,
-                            verdict == Verdict::fails ? "error" : name(verdict),
-                            statement_text(scene, expect), finding_text(scene, expect, judgement));
-    }
-    return text;
-}
-
-std::string explanation(const Scene& scene) {
-    return explanation(scene.world.model(), scene.world.rate(), pick_solver(scene.world),
-                       scene.solver);
-}
-
-std::string explanation(const Model& model, double rate, const SolverPick& pick,
-                        const std::optional<SolverSettings>& asked_for) {
-    const std::vector<std::string> terms = terms_in_force(model);
-    const std::string model_text = terms.empty()
-                                       ? "elastic, frictionless, weightless discs"
-                                       : fmt::format("{}", fmt::join(terms, "\n        "));
-    const std::string picked = settings_text(pick.settings, SettingsText::used);
-    const std::string solver_text =
-        asked_for ? fmt::format("{}: asked for\nauto    would take {}",
-                                settings_text(*asked_for, SettingsText::used), picked)
-                  : fmt::format("{}: taken by auto", picked);
-    const SolverSettings& solver = asked_for ? *asked_for : pick.settings;
-    const std::string_view heaps =
-        uses_hybrid_step(model, solver)
-            ? "heaps   too dense for events, they go over to contact, and come back\n"
-            : "";
-    return fmt::format("model   {}\nsolver  {}\n{}reason  {}\nrate    {} ticks a second\n",
-                       model_text, solver_text, heaps, pick.reason, rate);
 }
 
 }  // namespace carom

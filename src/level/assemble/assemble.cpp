@@ -18,6 +18,7 @@
 #include "level/assemble/rule_assembly.h"
 #include "level/assemble/symbol_table.h"
 
+// This file is over 320 lines because it holds one idea, the order in which a scene comes about.
 namespace carom {
 namespace {
 

@@ -8,6 +8,7 @@
 
 #include "level/ir/numbers.h"
 
+// This file is over 320 lines because it holds one idea, the parser of the words of a rule.
 namespace carom {
 namespace {
 

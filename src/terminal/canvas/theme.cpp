@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+// This file is over 320 lines because it holds one table, the colours of all themes.
 namespace carom {
 namespace {
 

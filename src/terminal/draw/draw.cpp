@@ -29,6 +29,20 @@ void blank(Canvas& canvas, const CellArea& area) {
     }
 }
 
+void write_texts(Canvas& canvas, const View& view) {
+    write_coordinates(canvas, view);
+    if (view.options.counters && !view.annotations.pool && !view.annotations.table)
+        write_counters(canvas, view);
+    if (view.annotations.pool && view.options.labels == Labels::automatic)
+        write_numbers(canvas, view);
+    else
+        write_labels(canvas, view);
+    write_board_labels(canvas, view);
+    write_insert_names(canvas, view);
+    write_scale(canvas, view);
+    write_annotations(canvas, view);
+}
+
 }  // namespace
 
 const Renderer& renderer_in_force(const ViewOptions& options) {
@@ -83,16 +97,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_annotations(raster, view);
     raster.show(canvas, area.column, area.row);
 
-    write_coordinates(canvas, view);
-    if (options.counters && !annotations.pool && !annotations.table) write_counters(canvas, view);
-    if (annotations.pool && options.labels == Labels::automatic)
-        write_numbers(canvas, view);
-    else
-        write_labels(canvas, view);
-    write_board_labels(canvas, view);
-    write_insert_names(canvas, view);
-    write_scale(canvas, view);
-    write_annotations(canvas, view);
+    write_texts(canvas, view);
     memory.ground.lay(canvas);
     write_banner(canvas, view);
 }
