@@ -91,6 +91,20 @@ std::string_view name(Verdict verdict) {
     }
 }
 
+std::string_view when_word(const Expect& expect) {
+    switch (expect.when) {
+        case Expect::When::by:
+            return "by";
+        case Expect::When::always:
+            return "always";
+        case Expect::When::never:
+            return "never";
+        case Expect::When::last:
+            break;
+    }
+    return expect.at ? "at" : "end";
+}
+
 void judge(const Expect& expect, const World& world, const RunWatch& watch, bool is_last,
            Judgement& judgement) {
     using enum Expect::When;

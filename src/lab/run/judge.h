@@ -21,6 +21,8 @@ std::optional<double> measure(const Quantity& quantity, const World& world, cons
 enum class Verdict : std::uint8_t { holds, fails, not_judged };
 /// The word in reports: "holds", "fails", "not judged".
 std::string_view name(Verdict verdict);
+/// At which ticks an expectation is judged: "at", "end", "by", "always" or "never".
+std::string_view when_word(const Expect& expect);
 
 struct Judgement {
     Verdict verdict = Verdict::not_judged;

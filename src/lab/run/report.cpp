@@ -103,52 +103,8 @@ void write_counters(JsonWriter& json, const Scene& scene, const World& world,
     json.end_object();
 }
 
-std::string_view when_word(const Expect& expect) {
-    switch (expect.when) {
-        case Expect::When::by:
-            return "by";
-        case Expect::When::always:
-            return "always";
-        case Expect::When::never:
-            return "never";
-        case Expect::When::last:
-            break;
-    }
-    return expect.at ? "at" : "end";
-}
-
-// The unit of a quantity after its number; empty in a level without units.
-std::string unit_of(const Scene& scene, const Expect& expect) {
-    return scene.unit == LengthUnit::natural ? "" : report_unit(expect.what.kind->dimension);
-}
-
 // "a.x 0.5m within 0.01m", "a.x < 0.5m always".
-std::string statement_text(const Scene& scene, const Expect& expect) {
-    const std::string unit = unit_of(scene, expect);
-    std::string text =
-        expect.relation == Expect::Relation::within
-            ? fmt::format("{} {}{} within {}{}", expect.quantity, expect.value, unit,
-                          expect.tolerance, unit)
-            : fmt::format("{} {} {}{}", expect.quantity, sign(expect.relation), expect.value, unit);
-    const bool is_over_ticks = expect.when != Expect::When::last;
-    if (is_over_ticks) text += fmt::format(" {}", when_word(expect));
-    if (expect.when == Expect::When::by) {
-        text += fmt::format(" {}s", *expect.at);
-    } else if (is_over_ticks && expect.at) {
-        text += fmt::format(" by {}s", *expect.at);
-    }
-    return text;
-}
-
 // "it is 0.7m", "it is 0.7m at 1.25 s".
-std::string finding_text(const Scene& scene, const Expect& expect, const Judgement& judgement) {
-    if (judgement.verdict == Verdict::not_judged) return std::string(judgement.reason);
-    if (!judgement.measured) return "it has no value";
-    std::string text = fmt::format("it is {}{}", *judgement.measured, unit_of(scene, expect));
-    if (expect.when != Expect::When::last) text += fmt::format(" at {} s", *judgement.time);
-    return text;
-}
-
 void write_expects(JsonWriter& json, const Scene& scene, const RunRecord& record) {
     json.key("expects");
     json.begin_list(Layout::lines);

@@ -12,6 +12,36 @@
 namespace carom {
 namespace {
 
+// The unit of a quantity after its number; empty in a level without units.
+std::string unit_of(const Scene& scene, const Expect& expect) {
+    return scene.unit == LengthUnit::natural ? "" : report_unit(expect.what.kind->dimension);
+}
+
+std::string statement_text(const Scene& scene, const Expect& expect) {
+    const std::string unit = unit_of(scene, expect);
+    std::string text =
+        expect.relation == Expect::Relation::within
+            ? fmt::format("{} {}{} within {}{}", expect.quantity, expect.value, unit,
+                          expect.tolerance, unit)
+            : fmt::format("{} {} {}{}", expect.quantity, sign(expect.relation), expect.value, unit);
+    const bool is_over_ticks = expect.when != Expect::When::last;
+    if (is_over_ticks) text += fmt::format(" {}", when_word(expect));
+    if (expect.when == Expect::When::by) {
+        text += fmt::format(" {}s", *expect.at);
+    } else if (is_over_ticks && expect.at) {
+        text += fmt::format(" by {}s", *expect.at);
+    }
+    return text;
+}
+
+std::string finding_text(const Scene& scene, const Expect& expect, const Judgement& judgement) {
+    if (judgement.verdict == Verdict::not_judged) return std::string(judgement.reason);
+    if (!judgement.measured) return "it has no value";
+    std::string text = fmt::format("it is {}{}", *judgement.measured, unit_of(scene, expect));
+    if (expect.when != Expect::When::last) text += fmt::format(" at {} s", *judgement.time);
+    return text;
+}
+
 std::string summary_of_figures(const RunRecord& record, const World& world) {
     std::string lines;
     for (const Figure& figure : figures()) {
