@@ -6,6 +6,7 @@
 
 #include "lab/run/choice.h"
 #include "lab/run/report.h"
+#include "level/values/dimension.h"
 #include "physics/world/fingerprint.h"
 
 /// Reports for people: the summary of a run, its verdicts, and why the solver was chosen.
