@@ -42,6 +42,7 @@ void ContactEnergy::end_substep(std::span<const ContactConstraint> constraints, 
     const double excess = -contact_tolerance::most_owed * *energy_ - stored_;
     if (!(gain > 0.0) || !(excess > 0.0)) return;
     find_groups(constraints);
+    find_staying();
     stored_ += take_back(excess);
 }
 
@@ -101,7 +102,7 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
         if (!(constraint.impulse > 0.0) || by_a == by_b) continue;
         Group& group = groups_[group_of(by_a ? constraint.b : constraint.a)];
         group.is_supported = true;
-        group.is_carried = group.is_carried || pairs_[constraint.pair].is_kinematic;
+        group.stays = group.stays || pairs_[constraint.pair].is_kinematic;
     }
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
         if (bodies_.is_kinematic(i)) continue;
@@ -112,6 +113,38 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
         group.kinetic += kinetic_energy_of(i);
         group.mass += mass;
         group.momentum += bodies_.body[i].velocity * mass;
+    }
+}
+
+// Whether these groups may go back by their displacements without a ball entering one that has
+// followed it into the room that it left, deeper than it is in there.
+bool ContactEnergy::have_room(const ContactPair& pair) {
+    const auto way_back = [&](std::uint32_t body) {
+        const Group& group = groups_[group_of(body)];
+        const bool goes = group.gain > 0.0 && group.lift > 0.0 && !group.stays;
+        return goes ? bodies_.displacement[body] : Vec2{};
+    };
+    if (!bodies_.is_ball(pair.b) || bodies_.is_kinematic(pair.a) || bodies_.is_kinematic(pair.b))
+        return true;
+    if (group_of(pair.a) == group_of(pair.b)) return true;
+    const Vec2 change = way_back(pair.b) - way_back(pair.a);
+    if (change == Vec2{}) return true;
+    Vec2 offset = bodies_.position[pair.a] - bodies_.position[pair.b];
+    if (step_.wraps) offset = nearest_image(offset, step_.torus);
+    const double then = length(offset + change);
+    return then >= bodies_.radius[pair.a] + bodies_.radius[pair.b] || then >= length(offset);
+}
+
+// A group that stays may be in the way of another one: until no group changes.
+void ContactEnergy::find_staying() {
+    for (bool has_changed = true; has_changed;) {
+        has_changed = false;
+        for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
+            const ContactPair& pair = pairs_[p];
+            if (have_room(pair)) continue;
+            groups_[group_of(pair.a)].stays = groups_[group_of(pair.b)].stays = true;
+            has_changed = true;
+        }
     }
 }
 
@@ -135,7 +168,7 @@ double ContactEnergy::take_back(double excess) {
 // momentum, unless its balls hardly move relative to each other.
 double ContactEnergy::take_back(std::uint32_t i, const Group& group, double share) {
     ContactBody& body = bodies_.body[i];
-    const double lifted = group.is_carried ? 0.0 : std::max(0.0, group.lift);
+    const double lifted = group.stays ? 0.0 : std::max(0.0, group.lift);
     const double sped = std::max(0.0, group.gain - group.lift);
     const double part = std::min(1.0, share * group.gain / (lifted + sped));
     if (!(part > 0.0)) return 0.0;

@@ -21,8 +21,9 @@ namespace carom {
 /// substep: each group of balls that press on one another and have gained energy moves less far,
 /// and more slowly. So a heap keeps its overlaps while the store has no energy to open them.
 ///
-/// Impacts, kicks and kinematic bodies are not limited. A ball that a kinematic body carries is not
-/// moved back, so there the store may fall below the limit until later losses refill it.
+/// Impacts, kicks and kinematic bodies are not limited. A group that a kinematic body carries is
+/// not moved back, nor is one that would be moved into a ball that has followed it; so there the
+/// store may fall below the limit until later losses refill it.
 class ContactEnergy {
   public:
     ContactEnergy(const ContactSubstep& step, ContactBodies& bodies, const ContactPairs& pairs)
@@ -51,7 +52,7 @@ class ContactEnergy {
         double mass = 0.0;
         Vec2 momentum;
         bool is_supported = false;  ///< by a body that they cannot move
-        bool is_carried = false;    ///< by a kinematic body
+        bool stays = false;         ///< it may not be moved back
     };
 
     double energy_of_balls() const;
@@ -62,6 +63,8 @@ class ContactEnergy {
     double gain_of(std::uint32_t body) const;
     std::uint32_t group_of(std::uint32_t body);
     void find_groups(std::span<const ContactConstraint> constraints);
+    bool have_room(const ContactPair& pair);
+    void find_staying();
     double take_back(double excess);
     double take_back(std::uint32_t body, const Group& group, double share);
 
