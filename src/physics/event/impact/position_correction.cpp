@@ -33,8 +33,11 @@ void PositionCorrection<Real>::apply() {
         const auto move = [&](std::uint32_t index, const Way& way) {
             if (!(way.inverse_mass > Real{})) return;
             ClusterBody<Real>& body = cluster_.bodies()[index];
-            // No further than was tried.
-            body.position += way.displacement * std::min(Real(1.0), way.inverse_mass / gain);
+            // No further than was tried; but beside a bent edge, part of a way may be barred.
+            Vector<Real> displacement =
+                way.displacement * std::min(Real(1.0), way.inverse_mass / gain);
+            if (turns_aside(body, displacement)) return;
+            body.position += displacement;
             body.is_moved = true;
         };
         move(point.contact.a, ours);
@@ -57,7 +60,8 @@ void PositionCorrection<Real>::move_out_of(const ContactPoint<Real>& point) {
     cluster_.note_correction();
 }
 
-// Whether a ball would be displaced into another one, deeper than it is in there.
+// Whether a ball would be displaced into another one, or through it, deeper than it is in there.
+// Distance on a straight way is convex, so no part of the way leads deeper than its nearest point.
 template <typename Real>
 bool PositionCorrection<Real>::enters_ball(const ClusterBody<Real>& body,
                                            const Vector<Real>& displacement) const {
@@ -73,7 +77,9 @@ bool PositionCorrection<Real>::enters_ball(const ClusterBody<Real>& body,
         const Vector<Real> offset = body.position - place - scene_.image_shift(across, along);
         const Real reach = size + balls_.radius(other);
         const Real allowed = Real(most_correction_into_ball) * std::min(size, balls_.radius(other));
-        const Real gap = length(offset + displacement) - reach;
+        const Real nearest = std::clamp(-dot(offset, displacement) / length_squared(displacement),
+                                        Real{}, Real(1.0));
+        const Real gap = length(offset + displacement * nearest) - reach;
         enters = enters || (gap < -allowed && gap < length(offset) - reach);
     });
     return enters;
