@@ -203,7 +203,9 @@ Refusal refused(const World& world, const RemoveCapsule& remove) {
     return unless_capsule(world, remove.capsule);
 }
 
-Refusal refused(const World&, const SetGravity& set) {
+Refusal refused(const World& world, const SetGravity& set) {
+    // As in a level: a cloth has gravity of its own, which presses balls on it.
+    if (set.gravity && world.model().cloth) return "A table with a cloth is level";
     return unless_finite(!set.gravity || is_finite(*set.gravity), "gravity");
 }
 

@@ -80,6 +80,14 @@ TEST_CASE("commands that cannot be executed are refused with a reason") {
     }
 }
 
+// Regression: fuzzed scene 7662. Gravity drew the balls at rest over the cloth, and no others.
+TEST_CASE("a table with a cloth has no other gravity, as in a level") {
+    World world = busy_box().world;
+    world.edit_definition().model.cloth = Cloth{};
+    CHECK(refusal(world, command::SetGravity{Vec2{0.0, -1.0}}) == "A table with a cloth is level");
+    CHECK_FALSE(refusal(world, command::SetGravity{}));
+}
+
 TEST_CASE("a ball that only touches is not refused") {
     const World world = busy_box().world;
     CHECK_FALSE(refusal(world, command::AddBall{ball_at_rest({2.0, 20.0})}));
