@@ -1,12 +1,14 @@
-// Runs fuzzed scenes under every solver, and checks after every tick what it must keep. See
-// scripts/check-scenes.
+// Runs fuzzed scenes under every solver, or those that are named, and checks after every tick what
+// it must keep. See scripts/check-scenes.
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "lab/support/fuzzed_scene.h"
 #include "physics/solver.h"
@@ -21,13 +23,14 @@ void write(const std::string& path, const std::string& text) {
 
 int main(int argc, char** argv) {
     using namespace carom;
-    if (argc != 5) {
-        std::cerr << "usage: check_scenes FIRST COUNT STRIDE KEPT\n";
+    const std::vector<std::string_view> words(argv + 1, argv + argc);
+    const std::uint64_t stride = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 0;
+    if (argc < 5 || stride == 0) {
+        std::cerr << "usage: check_scenes FIRST COUNT STRIDE KEPT [SOLVER...]\n";
         return 2;
     }
     const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);
     const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
-    const std::uint64_t stride = std::strtoull(argv[3], nullptr, 10);
     std::uint64_t runs = 0;
     std::uint64_t stood_still = 0;
     std::uint64_t unloadable = 0;
@@ -39,7 +42,9 @@ int main(int argc, char** argv) {
             continue;
         }
         for (const SolverKind kind : solvers_available()) {
-            if (!supports(kind, fuzzed.scene->world.model())) continue;
+            const bool is_named = words.size() == 4 || std::find(words.begin() + 4, words.end(),
+                                                                 name(kind)) != words.end();
+            if (!is_named || !supports(kind, fuzzed.scene->world.model())) continue;
             const test::CheckedRun run = test::check_run(fuzzed, kind);
             ++runs;
             if (run.stood_still) ++stood_still;
