@@ -90,9 +90,6 @@ bool are_on_two_sides(Vec2 a, Vec2 b, Vec2 start, Vec2 end) {
     return (first > 0.0 && second < 0.0) || (first < 0.0 && second > 0.0);
 }
 
-// A pair has separated once it overlaps by no more than this share of the smaller radius.
-constexpr double parted = 1e-3;
-
 constexpr std::uint64_t edge_mark = std::uint64_t{1} << 32;
 
 }  // namespace
@@ -101,8 +98,10 @@ Promise promise_of(SolverKind solver) {
     switch (solver) {
         case SolverKind::event:
             return {.energy = 1e-9,
+                    .energy_of_clustered = 1e-2,
                     .overlap = 1e-3,
                     .overlap_of_clustered = 0.75,
+                    .parted = 1e-6,
                     .lifts_overlaps = true,
                     .keeps_sides = true,
                     .moves = true};
@@ -152,12 +151,13 @@ void InvariantCheck::exempt_deep_pairs(const World& world) {
     exempt_.clear();
     if (promise_.overlap)
         for_each_overlap(world, [&](const Pair& pair, double depth, double radius, const Breach&) {
-            if (depth > parted * radius) exempt_.push_back(pair);
+            if (depth > promise_.parted * radius) exempt_.push_back(pair);
         });
     std::ranges::sort(exempt_);
 }
 
 void InvariantCheck::note_start(const World& world) {
+    is_hybrid_step_ = !event_memory(world).clustered.empty();
     if (world.stamps() == stamps_) return;
     escape_.note_births(world);
     const double given = energy_of(world) - energy_;
@@ -191,6 +191,7 @@ void InvariantCheck::remember(const World& world) {
     stamps_ = world.stamps();
     energy_ = energy_of(world);
     tick_ = world.tick();
+    next_ball_ = world.next_ball();
     ids_ = world.balls().id;
     position_ = world.balls().position;
     velocity_ = world.balls().velocity;
@@ -225,16 +226,21 @@ std::optional<Breach> InvariantCheck::check_finite(const World& world) const {
 std::optional<Breach> InvariantCheck::check_energy(const World& world) {
     const double energy = energy_of(world);
     scale_ = std::max(scale_, kinetic_energy_of(world));
-    if (!promise_.energy || ids_ != world.balls().id) {
+    // A ball may come and go within the tick, and meet another one meanwhile.
+    if (!promise_.energy || ids_ != world.balls().id || next_ball_ != world.next_ball()) {
         baseline_ = energy;
+        clustered_gain_ = 0.0;
         return std::nullopt;
     }
     const bool is_lifted = promise_.lifts_overlaps && !exempt_.empty();
     if (is_lifted || may_be_given_energy(world)) baseline_ = std::max(baseline_, energy);
     const double gain = energy - baseline_;
+    double most = clustered_gain_ + *promise_.energy * scale_;
+    if (is_hybrid_step_) most = std::max(most, promise_.energy_of_clustered * scale_);
     // Potential energy is measured from the origin: its rounding is that of the coordinates.
     const double rounding = 1e-12 * std::fabs(baseline_);
-    if (!(gain > *promise_.energy * scale_ + rounding)) return std::nullopt;
+    if (is_hybrid_step_) clustered_gain_ = std::max(clustered_gain_, gain);
+    if (!(gain > most + rounding)) return std::nullopt;
     return Breach{.kind = Breach::Kind::energy, .tick = world.tick(), .amount = gain};
 }
 
@@ -341,7 +347,7 @@ std::optional<Breach> InvariantCheck::check_overlap(const World& world) {
     };
     const auto is_new = [&](BallId ball) { return !std::ranges::binary_search(ids_, ball); };
     for_each_overlap(world, [&](const Pair& pair, double depth, double radius, Breach breach) {
-        if (!(depth > parted * radius)) return;
+        if (!(depth > promise_.parted * radius)) return;
         if (is_exempt(pair) || is_new(*breach.ball) || (breach.other && is_new(*breach.other))) {
             still_deep.push_back(pair);
             return;

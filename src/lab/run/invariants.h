@@ -20,10 +20,16 @@ namespace carom {
 /// What a solver promises; an absent value is no promise. `discrete` and `substep` promise nothing:
 /// docs/accuracy.md measures their errors.
 struct Promise {
-    std::optional<double> energy;   ///< largest gain, as a share of the largest energy in play
+    std::optional<double> energy;  ///< largest gain, as a share of the largest energy in play
+    /// The largest gain in ticks that begin with dense clusters, which `contact` steps
+    /// (physics/event/hybrid_step.h).
+    double energy_of_clustered = 0.0;
     std::optional<double> overlap;  ///< deepest, as a share of the smaller radius
     /// Deepest overlap of a ball in the cluster of a hybrid step (physics/event/hybrid_step.h).
     double overlap_of_clustered = 0.0;
+    /// A pair that starts inside one another has separated once it overlaps by no more than this
+    /// share of the smaller radius. Until then a ball that turns back may go as deep as it was.
+    double parted = 1e-3;
     /// It lifts overlapping bodies apart, which may add the work done against gravity.
     bool lifts_overlaps = false;
     bool keeps_sides = false;  ///< no ball passes through an edge or out of an outline
@@ -51,7 +57,8 @@ std::string text(const Breach& breach, double rate);
 ///   finite    all positions and velocities are finite numbers
 ///   energy    kinetic plus potential energy has not grown beyond its value at the start. Where
 ///             something may add energy (hands, flippers, kicking edges, gravity on a torus, the
-///             ramps of pinball), a gain is allowed; so is any change when balls come or go
+///             ramps of pinball), a gain is allowed; so is any change when balls come or go. What
+///             `contact` gives in a hybrid step of `event` stays given
 ///   side      the centre of no ball has crossed the spine of a fixed edge that is solid on both
 ///             sides, unless it can have gone round an end: the chord of the tick is tested, and
 ///             the way round an end compared with twice the ball's speed
@@ -100,12 +107,15 @@ class InvariantCheck {
     Stamps stamps_;                                        // after the last tick
     double energy_ = 0.0;                                  // after the last tick
     std::uint64_t tick_ = 0;
-    std::vector<BallId> ids_;  // before the tick, like the two below
+    std::uint32_t next_ball_ = 0;  // before the tick, like the three below
+    std::vector<BallId> ids_;
     std::vector<Vec2> position_;
     std::vector<Vec2> velocity_;
     std::vector<std::uint32_t> order_;  // of balls, by x
     double widest_ = 0.0;               // radius
     double baseline_ = 0.0;             // energy at the start, and what was added since
+    double clustered_gain_ = 0.0;       // beyond baseline_, from hybrid steps
+    bool is_hybrid_step_ = false;       // the tick begins with dense clusters
     double scale_ = 0.0;                // the largest energy in play
     std::vector<Pair> exempt_;          // pairs that started too deep, ascending
 };
