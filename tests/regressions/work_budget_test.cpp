@@ -87,22 +87,26 @@ TEST_CASE("a ball for which time stands still is an obstacle to others, and keep
     }
 }
 
-TEST_CASE("event: balls of tiny inertia that roll into one another end their tick") {
-    World world = scenes::empty();
-    Definition& definition = world.edit_definition();
-    definition.model.gravity = Vec2{0.0, -10.0};
-    definition.model.spin = 1e-6;
-    definition.kinds[0].friction = definition.materials[0].friction = 0.3;
-    definition.kinds[0].restitution = definition.materials[0].restitution = 0.8;
-    definition.model.inelastic = true;
-    scenes::add_walls(world, {{0.0, 0.0}, {20.0, 20.0}});
-    add_ball(world, {.position = {5.0, 1.0}, .velocity = {3.0, 0.0}, .restitution = 0.8});
-    add_ball(world, {.position = {12.0, 1.0}, .velocity = {-2.0, 0.0}, .restitution = 0.8});
-    const double start = totals(world).energy();
-    Solver solver({.kind = SolverKind::event});
-    bool stood_still = false;
-    for (int tick = 0; tick < 1340 && !stood_still; ++tick)
-        stood_still = solver.tick(world) == TickOutcome::stood_still;
-    CHECK(stood_still);
-    CHECK(totals(world).energy() <= start);
+// Regression: the end of a slip left more slip than the tolerance allowed, since friction changes
+// the spin of such a ball by 3e6 in a second. So the ball slipped again, for a rounding of the
+// time, and again.
+TEST_CASE("event: balls of tiny inertia roll into one another without a runaway") {
+    for (const double inertia : {1e-3, 1e-6, 1e-9}) {
+        CAPTURE(inertia);
+        World world = scenes::empty();
+        Definition& definition = world.edit_definition();
+        definition.model.gravity = Vec2{0.0, -10.0};
+        definition.model.spin = inertia;
+        definition.kinds[0].friction = definition.materials[0].friction = 0.3;
+        definition.kinds[0].restitution = definition.materials[0].restitution = 0.8;
+        definition.model.inelastic = true;
+        scenes::add_walls(world, {{0.0, 0.0}, {20.0, 20.0}});
+        add_ball(world, {.position = {5.0, 1.0}, .velocity = {3.0, 0.0}, .restitution = 0.8});
+        add_ball(world, {.position = {12.0, 1.0}, .velocity = {-2.0, 0.0}, .restitution = 0.8});
+        const double start = totals(world).energy();
+        Solver solver({.kind = SolverKind::event});
+        for (int tick = 0; tick < 4800; ++tick)
+            REQUIRE(solver.tick(world) == TickOutcome::done);
+        CHECK(totals(world).energy() <= start);
+    }
 }

@@ -106,8 +106,9 @@ inline constexpr double least_approach = 1e-280;
 template <typename Real>
 inline constexpr double component_rounding = 256.0 * precision<Real>;
 
-/// Slip that is left at the end of a slip, as a share of the speeds, and what gravity adds to it,
-/// as a share of pull times time. x10: rolling begins early; /10: a rolling ball slips again.
+/// Slip that is left at the end of a slip, as a share of the speeds, and what gravity and friction
+/// add to it, as a share of acceleration times time. x10: rolling begins early; /10: a rolling ball
+/// slips again.
 template <typename Real>
 inline constexpr double slip_rounding = 1e6 * precision<Real>;
 template <typename Real>

@@ -18,15 +18,17 @@ Real SideFriction<Real>::coefficient(std::uint32_t ball, const SupportId& suppor
     return Real(friction_of_balls(*scene_.world, ball, *index));
 }
 
-// Slips up to this are rounding.
+// Slips up to this are rounding. `change`: how fast friction changes the surface speed, length/s^2.
+// A small inertia makes that far faster than gravity.
 template <typename Real>
-Real SideFriction<Real>::slip_tolerance(std::uint32_t ball, const Vector<Real>& velocity) const {
+Real SideFriction<Real>::slip_tolerance(std::uint32_t ball, const Vector<Real>& velocity,
+                                        const Real& change) const {
     const Real size = balls_.radius(ball);
     const Real pull = length(scene_.field.gravity);
     return Real(slip_rounding<Real>) *
                (length(velocity) + size * absolute(trajectories_.spin(ball).spin) +
                 square_root(pull * size)) +
-           Real(slip_time_rounding<Real>) * pull * absolute(scene_.now);
+           Real(slip_time_rounding<Real>) * (pull + change) * absolute(scene_.now);
 }
 
 template <typename Real>
@@ -48,7 +50,7 @@ auto SideFriction<Real>::on_side(std::uint32_t ball, const Support<Real>& suppor
         dot(pull, along) - (scene_.field.has_drag ? scene_.field.drag * speed : Real{});
     const Real needed = -acceleration / (Real(1.0) + Real(1.0) / inertia);
     Real push = slip < Real{} ? most : -most;
-    if (!(absolute(slip) > slip_tolerance(ball, velocity))) {
+    if (!(absolute(slip) > slip_tolerance(ball, velocity, most / inertia))) {
         push = clamped(needed, most);
         effect.spin.rolls = push == needed;
         if (effect.spin.rolls) effect.spin.spin = speed / size + Real{};  // never -0
@@ -106,7 +108,8 @@ std::optional<Real> SideFriction<Real>::end_of_slip(std::uint32_t ball, const Re
     const Real size = balls_.radius(ball);
     const Vector<Real> along = slip_direction(ball);
     const Real slip = dot(trajectory.velocity, along) - size * turn.spin;
-    if (!(absolute(slip) > slip_tolerance(ball, trajectory.velocity))) return std::nullopt;
+    const Real tolerance = slip_tolerance(ball, trajectory.velocity, size * absolute(turn.rate));
+    if (!(absolute(slip) > tolerance)) return std::nullopt;
     const Real sign(slip < Real{} ? -1.0 : 1.0);
     const Real bend = dot(trajectory.acceleration, along) - size * turn.rate;
     if (!scene_.field.has_drag) {
@@ -121,8 +124,7 @@ std::optional<Real> SideFriction<Real>::end_of_slip(std::uint32_t ball, const Re
             return {sign * (speed - size * trajectories_.spin_at(ball, when)),
                     sign * (bend - scene_.field.drag * speed), Real{}};
         },
-        trajectory.time, horizon, most, {slip_tolerance(ball, trajectory.velocity), Real{}},
-        search_);
+        trajectory.time, horizon, most, {tolerance, Real{}}, search_);
 }
 
 // To the left of the normal of the side along which the ball slides.

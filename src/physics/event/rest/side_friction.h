@@ -63,7 +63,7 @@ class SideFriction {
     void end_slip(std::uint32_t ball);
 
   private:
-    Real slip_tolerance(std::uint32_t ball, const Vector<Real>& velocity) const;
+    Real slip_tolerance(std::uint32_t ball, const Vector<Real>& velocity, const Real& change) const;
     Vector<Real> slip_direction(std::uint32_t ball) const;
 
     const EventScene<Real>& scene_;
