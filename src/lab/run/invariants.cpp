@@ -212,13 +212,15 @@ void InvariantCheck::sort(const World& world) {
 std::optional<Breach> InvariantCheck::check_finite(const World& world) const {
     const Balls& balls = world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        const double sum =
-            balls.position[i].x + balls.position[i].y + balls.velocity[i].x + balls.velocity[i].y;
-        if (std::isfinite(sum)) continue;
-        return Breach{.kind = Breach::Kind::not_finite,
-                      .tick = world.tick(),
-                      .ball = balls.id[i],
-                      .amount = sum};
+        const Vec2 place = balls.position[i];
+        const Vec2 velocity = balls.velocity[i];
+        for (const double number : {place.x, place.y, velocity.x, velocity.y}) {
+            if (std::isfinite(number)) continue;
+            return Breach{.kind = Breach::Kind::not_finite,
+                          .tick = world.tick(),
+                          .ball = balls.id[i],
+                          .amount = number};
+        }
     }
     return std::nullopt;
 }
