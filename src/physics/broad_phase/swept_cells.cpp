@@ -8,6 +8,10 @@ void SweptCells::reset(const CellFrame& frame, std::size_t balls) {
     frame_ = frame;
     head_.assign(frame.count(), none);
     entries_.clear();
+    for (const std::uint32_t ball : wide_)
+        is_wide_[ball] = 0;
+    wide_.clear();
+    is_wide_.resize(balls, 0);
     ranges_.resize(balls);
     seen_.resize(balls, round_);
 }
@@ -33,6 +37,14 @@ SweptCells::Range SweptCells::range_of(const Box& box) const {
 void SweptCells::enter(std::uint32_t index, const Box& box, bool is_first) {
     const Range now = range_of(box);
     const Range old = is_first ? Range{} : ranges_[index];
+    const std::int64_t columns = now.high_column - now.low_column + 1;
+    const std::int64_t rows = now.high_row - now.low_row + 1;
+    if (columns * rows > most_cells) {
+        ranges_[index] = {};
+        if (is_wide_[index] == 0) wide_.push_back(index);
+        is_wide_[index] = 1;
+        return;
+    }
     ranges_[index] = now;
     const auto was_there = [&](int column, int row) {
         return column >= old.low_column && column <= old.high_column && row >= old.low_row &&

@@ -10,6 +10,10 @@ namespace carom {
 
 /// A dynamic grid of boxes around paths: a ball is inserted into every cell that its path can
 /// touch, and again when its path changes. Entries of an old path stay, which costs queries a test.
+///
+/// A path whose box touches more than `most_cells` cells is on a list beside them: entering each
+/// cell would cost more than to test it in every query, and a query for such a path would pass over
+/// an entry of each other one in each cell.
 class SweptCells {
   public:
     /// A rectangle of cells. On a torus, columns and rows are counted without bound.
@@ -42,10 +46,15 @@ class SweptCells {
     /// The cells that `box` touches.
     Range range_of(const Box& box) const;
 
-    /// Calls visit(other) for each ball that has entered a cell of `range`, each once.
+    /// Calls visit(other) for each ball that has entered a cell of `range`, and for each one with
+    /// a wide box, each once.
     template <typename Visit>
     void for_each_in(const Range& range, Visit&& visit) {
         begin_round();
+        for (const std::uint32_t other : wide_) {
+            seen_[other] = round_;
+            visit(other);
+        }
         for_each_cell(range, [&](std::uint32_t cell, int, int) {
             for (std::uint32_t at = head_[cell]; at != none; at = entries_[at].next) {
                 const std::uint32_t other = entries_[at].ball;
@@ -72,6 +81,7 @@ class SweptCells {
 
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
+    static constexpr std::int64_t most_cells = 256;
     struct Entry {
         std::uint32_t ball = 0;
         std::uint32_t next = none;
@@ -83,7 +93,9 @@ class SweptCells {
     std::vector<Range> ranges_;  // by ball; of balls that have entered cells
     std::vector<std::uint32_t> head_;
     std::vector<Entry> entries_;
-    std::vector<std::uint32_t> seen_;  // by ball: in which round
+    std::vector<std::uint32_t> wide_;    // since the last reset
+    std::vector<std::uint8_t> is_wide_;  // by ball
+    std::vector<std::uint32_t> seen_;    // by ball: in which round
     std::uint32_t round_ = 0;
 };
 

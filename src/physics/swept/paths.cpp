@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/broad_phase/cell_frame.h"
+#include "physics/swept/division.h"
 #include "physics/swept/tolerances.h"
 #include "physics/tick/kinematic.h"
 #include "physics/world/solver_access.h"
@@ -26,10 +27,10 @@ Vec2 left_by_supports(Vec2 gravity, Vec2 first, Vec2 second) {
 
 }  // namespace
 
-SweptSubstep swept_substep(const World& world, int count) {
+SweptSubstep swept_substep(const World& world, double duration) {
     const Model& model = world.model();
     SweptSubstep step;
-    step.duration = world.tick_length() / count;
+    step.duration = duration;
     step.terms = terms_of(world);
     step.flight = flight_over(model.drag, step.duration);
     step.gravity = model.gravity.value_or(Vec2{});
@@ -97,6 +98,16 @@ void SweptPaths::finish(World& world) const {
     }
 }
 
+void SweptPaths::stop_far_balls(const World& world) {
+    for (std::uint32_t i = 0; i < paths_.size(); ++i) {
+        SweptPath& path = paths_[i];
+        const double length_of_path = length(path.chord.velocity) * step_.duration;
+        if (is_held(i) || !is_far(length_of_path, world.balls().radius[i])) continue;
+        path.chord.velocity = {};
+        mark_standing(i);
+    }
+}
+
 Vec2 SweptPaths::velocity_at(const World& world, std::uint32_t ball, double now) const {
     const SweptPath& path = paths_[ball];
     if (is_held(ball) || path.is_frozen) return path.chord.velocity;
@@ -159,11 +170,15 @@ void SweptPaths::stand_still(World& world, std::uint32_t ball, double now) {
         advance_spin(world, ball, now);
         spin_rate_[ball] = 0.0;
     }
+    paths_[ball].start_velocity = velocity;
+    mark_standing(ball);
+}
+
+void SweptPaths::mark_standing(std::uint32_t ball) {
     SweptPath& path = paths_[ball];
     path.is_frozen = true;
     path.is_grounded = true;
     path.is_standing = true;
-    path.start_velocity = velocity;
     standing_.push_back(ball);
 }
 

@@ -60,6 +60,8 @@ class SweptPaths {
     /// Begins a substep, in which held balls cover `share_of_displacement` of the rest of their
     /// displacements.
     void begin(const World& world, double share_of_displacement);
+    /// Lets time stand still for all balls that would go far (division.h). To follow `begin`.
+    void stop_far_balls(const World& world);
     /// Ends the substep: writes positions, velocities, spin and roll to the world.
     void finish(World& world) const;
 
@@ -136,6 +138,7 @@ class SweptPaths {
     void stop_sliding_if_pressed(World& world, std::uint32_t ball, Vec2& velocity) const;
 
   private:
+    void mark_standing(std::uint32_t ball);
     ClothState<double> on_cloth(const World& world, std::uint32_t ball, Vec2 velocity,
                                 double duration) const;
     void finish_turning(World& world, std::uint32_t ball, double since) const;

@@ -1,5 +1,6 @@
 #include "physics/swept/solver.h"
 
+#include "physics/swept/division.h"
 #include "physics/swept/tolerances.h"
 #include "physics/tick/emitters_and_sinks.h"
 
@@ -7,14 +8,21 @@ namespace carom {
 
 void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
                        std::vector<std::uint8_t>& touched, CancellationToken& token) {
-    const int count = substeps_needed(world, substeps);
+    const SweptDivision division = divide_tick(world, substeps_needed(world, substeps));
+    const int count = division.substeps + (division.rest > 0.0 ? 1 : 0);
     const double start = world.time();
-    step_ = swept_substep(world, count);
+    step_ = swept_substep(world, division.duration);
     paths_.begin_tick(world);
     for (int i = 0; i < count; ++i) {
-        step_.start_time = start + step_.duration * i;
-        const double share_of_displacement = 1.0 / (count - i);
+        const bool is_rest = i == division.substeps;
+        if (is_rest) step_ = swept_substep(world, division.rest);
+        step_.start_time = start + division.duration * i;
+        const double share_of_displacement =
+            is_rest || division.rest == 0.0
+                ? 1.0 / (count - i)
+                : division.duration / (world.tick_length() - division.duration * i);
         paths_.begin(world, share_of_displacement);
+        if (is_rest) paths_.stop_far_balls(world);
         kinematics_.begin(world, share_of_displacement / step_.duration);
         if (!token.may_continue(world.balls().size())) return;
         budget_.begin(world.balls().size(), swept_tolerance::budget, count);

@@ -20,7 +20,7 @@ struct SweptSubstep {
     bool keeps_energy = false;
 };
 
-/// The constants for a tick of `world` in `count` substeps.
-SweptSubstep swept_substep(const World& world, int count);
+/// The constants for a substep of `duration` s.
+SweptSubstep swept_substep(const World& world, double duration);
 
 }  // namespace carom

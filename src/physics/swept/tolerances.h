@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "physics/tick/work_budget.h"
@@ -17,6 +18,10 @@
 /// | noise                | 1e-14 | share of the speeds            | slow contacts are lost / rounding counts as contact |
 /// | most_resting_impacts | 16    | of a ball in a substep         | piles cost more / sliding balls freeze |
 /// | budget               | 12500 | tests of a pair, by ball and tick | ticks of 10 s / time stands still in jams and tubes |
+/// | far                  | 16    | radii of the ball, in a substep | 100 times as many pairs / substeps where none are needed |
+/// | short_path           | 4     | radii of the ball, in a substep | 100 times as many pairs / ever more substeps |
+/// | most_far_balls       | 400   | balls in a substep             | substeps of ever more pairs / shots cost substeps of all balls |
+/// | most_substeps        | 256   | of a tick                      | endless ticks / fast balls stand still |
 // clang-format on
 namespace carom::swept_tolerance {
 
@@ -36,5 +41,12 @@ inline constexpr std::uint32_t most_resting_impacts = 16;
 /// impact counts as `work_of_impact` tests more.
 inline constexpr WorkBudget::Allowance budget{.per_ball = 12'500, .least_balls = 20};
 inline constexpr std::uint64_t work_of_impact = 16;
+/// A ball goes far in a substep if its path is longer than this many of its radii. In a substep in
+/// which more than `most_far_balls` go far, pairs are too many (division.h): then they go about
+/// `short_path` in each substep.
+inline constexpr double far = 16.0;
+inline constexpr double short_path = 4.0;
+inline constexpr std::ptrdiff_t most_far_balls = 400;
+inline constexpr int most_substeps = 256;
 
 }  // namespace carom::swept_tolerance

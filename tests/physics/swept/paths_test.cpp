@@ -24,7 +24,7 @@ World falling(double speed) {
 
 TEST_CASE("swept paths: the chord begins and ends on the parabola") {
     World world = falling(3.0);
-    const SweptSubstep step = swept_substep(world, 2);
+    const SweptSubstep step = swept_substep(world, world.tick_length() / 2);
     CHECK(step.duration == 0.5);
     SweptPaths paths(step);
     paths.begin_tick(world);
@@ -38,7 +38,7 @@ TEST_CASE("swept paths: the chord begins and ends on the parabola") {
 
 TEST_CASE("swept paths: the velocity is the parabola's at the height of the chord") {
     const World world = falling(-3.0);
-    const SweptSubstep step = swept_substep(world, 1);
+    const SweptSubstep step = swept_substep(world, world.tick_length());
     SweptPaths paths(step);
     paths.begin_tick(world);
     paths.begin(world, 1.0);
@@ -54,7 +54,7 @@ TEST_CASE("swept paths: a ball that is pressed too often rests, or time stands s
         CAPTURE(is_elastic);
         World world = falling(3.0);
         world.edit_definition().model.inelastic = !is_elastic;
-        const SweptSubstep step = swept_substep(world, 1);
+        const SweptSubstep step = swept_substep(world, world.tick_length());
         SweptPaths paths(step);
         paths.begin_tick(world);
         paths.begin(world, 1.0);
@@ -76,7 +76,7 @@ TEST_CASE("swept paths: a ball that is pressed too often rests, or time stands s
 
 TEST_CASE("swept paths: a ball on two supports feels what both leave of gravity") {
     const World world = falling(0.0);
-    const SweptSubstep step = swept_substep(world, 1);
+    const SweptSubstep step = swept_substep(world, world.tick_length());
     SweptPaths paths(step);
     paths.begin_tick(world);
     paths.begin(world, 1.0);
