@@ -9,7 +9,6 @@
 
 #include "game/session/conserved.h"
 #include "lab/run/judge.h"
-#include "physics/tick/totals.h"
 #include "terminal/panels/curve_panel.h"
 #include "terminal/panels/histogram.h"
 
@@ -38,6 +37,7 @@ CurvePicture picture_of(Observable what, const Observer& observer, const World& 
     CurvePicture picture;
     picture.title = row_of(what).title;
     const std::optional<double> value = observer.values(what, world).front().value;
+    picture.has_bars = what == Observable::speeds;
     picture.value = value ? fmt::format("{:.4g}", *value) : "no value";
     for (const CurvePoint& point : observer.curve(what).points)
         picture.points.push_back({point.x, point.y, point.expected});
@@ -66,6 +66,16 @@ Panels::Panels(const Scene& scene) {
         shows_energy_ = shows_energy_ || show.what == Show::What::energy;
         if (show.what == Show::What::observable) observables_.push_back(show.observable);
     }
+}
+
+bool Panels::toggle_speeds() {
+    const auto shown = std::ranges::find(observables_, Observable::speeds);
+    const bool shows = shown == observables_.end();
+    if (shows)
+        observables_.push_back(Observable::speeds);
+    else
+        observables_.erase(shown);
+    return shows;
 }
 
 bool Panels::has_histogram(const Scene& scene) {
@@ -99,9 +109,8 @@ void Panels::cut(CellArea& area, const Scene& scene, bool is_split) {
     }
 }
 
-void Panels::sample(const World& world) {
-    const Totals sums = totals(world);
-    energy_.add({world.tick(), sums.kinetic_energy, sums.potential_energy});
+void Panels::sample(std::uint64_t tick, const Totals& sums, std::optional<double> drift) {
+    energy_.add({tick, sums.kinetic_energy, sums.potential_energy, length(sums.momentum), drift});
 }
 
 void Panels::draw(Canvas& canvas, const Session& session, const Observer* observer,

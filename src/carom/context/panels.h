@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "game/session/session.h"
 #include "lab/observe/observer.h"
+#include "physics/tick/totals.h"
 #include "terminal/canvas/camera.h"
 #include "terminal/canvas/canvas.h"
 #include "terminal/panels/energy.h"
@@ -19,14 +22,16 @@ class Panels {
 
     static bool has_histogram(const Scene& scene);
     void toggle_histogram() { shows_histogram_ = !shows_histogram_; }
+    /// The speeds of the balls: the histogram of a level that counts nothing. True: it is shown.
+    bool toggle_speeds();
     void toggle_energy() { shows_energy_ = !shows_energy_; }
     bool is_histogram_drawn() const { return histogram_area_.rows > 0; }
 
     /// Takes the room for the panels from `area`; nothing where `is_split`, or where the area is
     /// too small.
     void cut(CellArea& area, const Scene& scene, bool is_split);
-    /// Adds a sample of the energy.
-    void sample(const World& world);
+    /// Adds a sample of energy and momentum. `drift`: of the energy; none: it is not conserved.
+    void sample(std::uint64_t tick, const Totals& sums, std::optional<double> drift);
     void clear() { energy_.clear(); }
     /// `observer`: null where nothing is observed.
     void draw(Canvas& canvas, const Session& session, const Observer* observer,

@@ -6,6 +6,12 @@ PlayObserver::PlayObserver(const Session& session) : what_(observed_of(session.s
     begin(session);
 }
 
+void PlayObserver::observe(Observable what, const Session& session) {
+    if (what_.has(what)) return;
+    what_.add(what);
+    begin(session);
+}
+
 void PlayObserver::begin(const Session& session) {
     solver_ = session.solver();
     tick_ = session.world().tick();

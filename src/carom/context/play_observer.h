@@ -15,6 +15,8 @@ class PlayObserver {
   public:
     explicit PlayObserver(const Session& session);
 
+    /// Observes this too, from now on.
+    void observe(Observable what, const Session& session);
     /// From now on: for a step back that has arrived, and a restart.
     void begin(const Session& session);
     /// Pre: called after every tick of the session.

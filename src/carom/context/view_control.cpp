@@ -60,9 +60,8 @@ void toggle_outlines(PlayContext& play) {
 }
 
 void toggle_histogram(PlayContext& play) {
-    if (!Panels::has_histogram(play.session.scene()))
-        return say(play, "This level has no histogram.");
-    play.panels.toggle_histogram();
+    if (Panels::has_histogram(play.session.scene())) return play.panels.toggle_histogram();
+    if (play.panels.toggle_speeds()) play.observation->observe(Observable::speeds, play.session);
 }
 
 void toggle_energy(PlayContext& play) {
@@ -104,6 +103,11 @@ void zoom(PlayContext& play, double factor) {
 
 void pan(PlayContext& play, double columns, double rows) {
     play.view.pan(columns, rows);
+}
+
+void start_panning(PlayContext& play, const InputEvent& event) {
+    play.pointer.panning_from = play.companion.in_first_half({event.column, event.row});
+    say(play, fmt::format("Panning. {} brings the whole view back.", play.keys.hint("fit")));
 }
 
 }  // namespace carom

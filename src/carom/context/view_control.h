@@ -24,5 +24,7 @@ void toggle(PlayContext& play, bool& what, std::string_view name);
 /// Zooms around the centre of the view.
 void zoom(PlayContext& play, double factor);
 void pan(PlayContext& play, double columns, double rows);
+/// A press on empty space: the view follows the pointer until the release.
+void start_panning(PlayContext& play, const InputEvent& event);
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "carom/context/play_context.h"
+#include "carom/context/view_control.h"
 #include "carom/controllers/editing.h"
 
 namespace carom {
@@ -15,11 +16,6 @@ void press_cue(PlayContext& play, const InputEvent& event) {
     play.view.selected = ball;
     play.pointer.tool.take_cue(*ball, play.pointer.at);
     play.pointer.pressed = event.button;
-}
-
-void start_panning(PlayContext& play, const InputEvent& event) {
-    play.pointer.panning_from = play.companion.in_first_half({event.column, event.row});
-    say(play, fmt::format("Panning. {} brings the whole view back.", play.keys.hint("fit")));
 }
 
 /// Grabs the object at the pointer; a press on empty space drags the view.

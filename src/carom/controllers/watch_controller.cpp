@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "carom/context/view_control.h"
+
 namespace carom {
 namespace {
 
@@ -21,7 +23,7 @@ void WatchController::perform(PlayContext& play, const Action& action) {
 }
 
 void WatchController::press(PlayContext& play, const InputEvent& event) {
-    play.pointer.panning_from = play.companion.in_first_half({event.column, event.row});
+    start_panning(play, event);
 }
 
 void WatchController::pass(PlayContext& play, double seconds) {

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "carom/play/player.h"
 #include "carom/play/status.h"
+#include "game/session/conserved.h"
 #include "lab/run/report.h"
+#include "terminal/panels/large_digits.h"
 #include "terminal/panels/pages.h"
 
 /// Draws the player's window: the world with panels and status lines, or a page that covers it.
@@ -92,6 +95,12 @@ std::vector<PageItem> about_items(const LevelWords& words) {
     return items;
 }
 
+/// Whether what matters is the number of collisions: the level expects it.
+bool counts_collisions(const Scene& scene) {
+    return std::ranges::any_of(
+        scene.expects, [](const Expect& expect) { return expect.quantity == "collisions"; });
+}
+
 }  // namespace
 
 void Player::draw(Canvas& canvas, double aspect) {
@@ -149,10 +158,18 @@ void Player::draw_game(Canvas& canvas, double aspect) {
     follow_ball(play_);
     play_.controller->look(play_);
     const World& world = session().world();
-    play_.panels.sample(world);
+    const Totals sums = totals(world);
+    play_.panels.sample(
+        world.tick(), sums,
+        conserves_energy(world) ? play_.reference.energy_drift(sums) : std::nullopt);
     draw_world(canvas, camera(), session().scene(), world, session().contacts(),
                annotations_of(play_), view(), play_.view.memory);
     const bool is_split = play_.companion.comparison().has_value();
+    if (counts_collisions(session().scene()) && !is_split)
+        draw_large_count(
+            canvas, camera().area,
+            fmt::format("{}", world.ball_ball_collisions() + world.ball_edge_collisions()),
+            view().look);
     if (is_split) play_.companion.draw(canvas, session(), camera(), play_.view.selected, view());
     play_.panels.draw(canvas, session(), play_.observation->observer(), camera(), view().look);
     if (!is_split) play_.controller->draw_panel(play_, canvas);

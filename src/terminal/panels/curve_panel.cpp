@@ -46,7 +46,7 @@ Span span_of_values(const Points& points) {
 }
 
 void draw_points(Canvas& canvas, const CellArea& area, const Points& points, const Span& x,
-                 const Span& y, const Look& look) {
+                 const Span& y, bool has_bars, const Look& look) {
     constexpr double aspect = 2.0;
     Raster raster(look.utf8 ? braille_renderer() : ascii_renderer(), area.columns, area.rows,
                   aspect, look);
@@ -62,10 +62,41 @@ void draw_points(Canvas& canvas, const CellArea& area, const Points& points, con
         if (points[i - 1].expected && points[i].expected)
             raster.line(place(points[i - 1].x, *points[i - 1].expected),
                         place(points[i].x, *points[i].expected), expected);
-    for (std::size_t i = 1; i < points.size(); ++i)
+    for (std::size_t i = 1; i < points.size() && !has_bars; ++i)
         raster.line(place(points[i - 1].x, points[i - 1].y), place(points[i].x, points[i].y),
                     measured);
     raster.show(canvas, area.column, area.row);
+}
+
+// The top of a bar. `share`: the filled part of its cell, 0 to 1.
+char32_t block_of(double share, const Look& look) {
+    constexpr std::u32string_view blocks = U" ▁▂▃▄▅▆▇█";
+    constexpr std::u32string_view characters = U" .:#";
+    const std::u32string_view all = look.utf8 ? blocks : characters;
+    const auto steps = static_cast<double>(all.size() - 1);
+    return all[static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * steps + 0.5)];
+}
+
+// A bar in each column, as high as the point nearest to it.
+void draw_bars(Canvas& canvas, const CellArea& area, const Points& points, const Span& x,
+               const Span& y, const Look& look) {
+    const Ink ink = ink_of_class(1, look);
+    std::size_t nearest = 0;
+    for (int column = 0; column < area.columns; ++column) {
+        const double at = x.low + (x.high - x.low) * (column + 0.5) / area.columns;
+        while (nearest + 1 < points.size() &&
+               std::abs(points[nearest + 1].x - at) <= std::abs(points[nearest].x - at))
+            ++nearest;
+        const double height = y.share_of(points[nearest].y) * area.rows;
+        for (int up = 0; up < area.rows && height > up; ++up) {
+            const char32_t glyph = block_of(height - up, look);
+            if (glyph == U' ') continue;
+            // Blocks leave seams in many fonts: a full cell has its colour as the ground too.
+            const bool is_full = glyph == U'█' && look.has_colors();
+            canvas.put(area.column + column, area.row + area.rows - 1 - up,
+                       {glyph, ink.color, is_full ? ink.color : default_color, ink.attributes});
+        }
+    }
 }
 
 }  // namespace
@@ -89,7 +120,8 @@ void draw_curve(Canvas& canvas, const CellArea& area, const CurvePicture& pictur
     const CellArea inside{area.column + side, area.row + 1, area.columns - side, area.rows - 2};
     write_cut(canvas, area, 1, high, faint);
     write_cut(canvas, area, area.rows - 2, low, faint);
-    draw_points(canvas, inside, points, x, y, look);
+    if (picture.has_bars) draw_bars(canvas, inside, points, x, y, look);
+    draw_points(canvas, inside, points, x, y, picture.has_bars, look);
     const std::string from = fmt::format("{:.4g}", x.low);
     const std::string to = fmt::format("{:.4g}", x.high);
     const CellArea axis{inside.column, area.row + area.rows - 1, inside.columns, 1};

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "terminal/canvas/character_width.h"
 #include "terminal/canvas/raster.h"
+#include "terminal/panels/curve_panel.h"
 #include "terminal/panels/panel.h"
 
 namespace carom {
@@ -102,8 +105,46 @@ void EnergyHistory::clear() {
     *this = {};
 }
 
-void draw_energy(Canvas& canvas, const CellArea& area, const EnergyHistory& history,
+namespace {
+
+/// A small graph over time. None where fewer than two samples have a value.
+template <class Value>
+std::optional<CurvePicture> small_graph(const EnergyHistory& history, double tick_length,
+                                        std::string title, Value value) {
+    CurvePicture picture;
+    picture.title = std::move(title);
+    for (const EnergyHistory::Sample& sample : history.samples())
+        if (const std::optional<double> y = value(sample))
+            picture.points.push_back({static_cast<double>(sample.tick) * tick_length, *y});
+    if (picture.points.size() < 2) return std::nullopt;
+    picture.value = fmt::format("{:.3g}", picture.points.back().y);
+    return picture;
+}
+
+// Takes the room for small graphs from the bottom of `area`.
+void draw_small_graphs(Canvas& canvas, CellArea& area, const EnergyHistory& history,
+                       double tick_length, const Look& look) {
+    constexpr int least_rows = 16;
+    constexpr int least_small = 5;
+    if (area.rows < least_rows) return;
+    using Sample = EnergyHistory::Sample;
+    const int rows = std::max(least_small, area.rows / 4);
+    const auto draw = [&](const std::optional<CurvePicture>& picture) {
+        if (!picture) return;
+        area.rows -= rows;
+        draw_curve(canvas, {area.column, area.row + area.rows, area.columns, rows}, *picture, look);
+    };
+    draw(small_graph(history, tick_length, "drift", [](const Sample& s) { return s.drift; }));
+    draw(small_graph(history, tick_length, "momentum",
+                     [](const Sample& s) { return std::optional(s.momentum); }));
+}
+
+}  // namespace
+
+void draw_energy(Canvas& canvas, const CellArea& whole, const EnergyHistory& history,
                  double tick_length, const Look& look) {
+    CellArea area = whole;
+    draw_small_graphs(canvas, area, history, tick_length, look);
     if (area.columns < least_panel_columns || area.rows < least_panel_rows) return;
     clear_area(canvas, area);
     const std::array<Curve, 3> drawn = curves(look);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,7 @@
 #include "terminal/canvas/canvas.h"
 #include "terminal/canvas/palette.h"
 
-/// The history of the energy, and a plot of it.
+/// The history of energy, momentum and drift, and plots of them.
 namespace carom {
 
 /// Some hundred samples over the whole run. When it is full, every second sample is dropped and the
@@ -20,6 +21,8 @@ class EnergyHistory {
         std::uint64_t tick = 0;
         double kinetic = 0.0;
         double potential = 0.0;
+        double momentum = 0.0;          ///< its magnitude
+        std::optional<double> drift{};  ///< of the energy, relative; none: it is not conserved
     };
     static constexpr std::size_t capacity = 512;
 
@@ -35,7 +38,8 @@ class EnergyHistory {
 };
 
 /// Draws into `area` kinetic, potential and total energy as three curves, with the range at the
-/// side. An area below 16 x 4 stays untouched.
+/// side; in a tall area also momentum and, where energy is conserved, its drift, as small graphs
+/// below. An area below 16 x 4 stays untouched.
 void draw_energy(Canvas& canvas, const CellArea& area, const EnergyHistory& history,
                  double tick_length, const Look& look);
 

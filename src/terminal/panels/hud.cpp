@@ -164,15 +164,19 @@ std::vector<Field> physics_fields(const HudInfo& info, const Look& look) {
     return fields;
 }
 
-// The model in force, as much of it as fits.
+// The model in force: its terms, or their names, or as many names as fit.
 Field model_field(const HudInfo& info, int columns, const Look& look) {
-    Field field{"model",
-                info.terms.empty() ? "free discs" : fmt::format("{}", fmt::join(info.terms, ", ")),
-                ink_of(Role::text, look), 3};
-    const int excess = width_of(field) - columns;
-    if (excess > 0)
-        field.value =
-            std::string(cut_to(field.value, columns_of(field.value) - excess - 3)) + "...";
+    Field field{"model", "free discs", ink_of(Role::text, look), 3};
+    if (info.terms.empty()) return field;
+    field.value = fmt::format("{}", fmt::join(info.terms, ", "));
+    std::vector<std::string> names;
+    for (const std::string& term : info.terms)
+        names.push_back(term.substr(0, term.find(' ')));
+    for (std::size_t left_out = 0; width_of(field) > columns && !names.empty(); ++left_out) {
+        if (left_out > 0) names.pop_back();
+        field.value = fmt::format("{}", fmt::join(names, ", "));
+        if (left_out > 0) field.value += fmt::format(" +{}", left_out);
+    }
     return field;
 }
 

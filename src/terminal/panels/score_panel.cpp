@@ -3,82 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string_view>
 
 #include "terminal/canvas/character_width.h"
+#include "terminal/panels/large_digits.h"
 #include "terminal/panels/panel.h"
 
 namespace carom {
 namespace {
 
-constexpr int glyph_rows = 5;
 constexpr std::string_view wide_score = "1,000,000";
 constexpr int least_rows_of_wide = 24;
-
-// Five rows of three dots each, from the top, the leftmost dot in the highest bit.
-struct Glyph {
-    char character = ' ';
-    int columns = 3;
-    std::array<std::uint8_t, glyph_rows> rows{};
-};
-constexpr std::array<Glyph, 11> glyphs = {{{'0', 3, {7, 5, 5, 5, 7}},
-                                           {'1', 3, {2, 6, 2, 2, 7}},
-                                           {'2', 3, {7, 1, 7, 4, 7}},
-                                           {'3', 3, {7, 1, 3, 1, 7}},
-                                           {'4', 3, {5, 5, 7, 1, 1}},
-                                           {'5', 3, {7, 4, 7, 1, 7}},
-                                           {'6', 3, {7, 4, 7, 5, 7}},
-                                           {'7', 3, {7, 1, 1, 2, 2}},
-                                           {'8', 3, {7, 5, 7, 5, 7}},
-                                           {'9', 3, {7, 5, 7, 1, 7}},
-                                           {',', 2, {0, 0, 0, 2, 4}}}};
-
-const Glyph* glyph_of(char character) {
-    const auto* found = std::ranges::find(glyphs, character, &Glyph::character);
-    return found == glyphs.end() ? nullptr : found;
-}
-
-int width_of(std::string_view text) {
-    int width = -1;
-    for (const char character : text) {
-        const Glyph* glyph = glyph_of(character);
-        width += (glyph ? glyph->columns : 3) + 1;
-    }
-    return std::max(width, 0);
-}
-
-bool is_dot(const Glyph& glyph, int row, int column) {
-    return row < glyph_rows && (glyph.rows[static_cast<std::size_t>(row)] >> (2 - column) & 1) != 0;
-}
-
-// The dots of a cell: one in ASCII, an upper and a lower one with half blocks.
-char32_t cell_of(const Glyph& glyph, int row, int column, int scale, const Look& look) {
-    if (!look.utf8) return is_dot(glyph, row / scale, column / scale) ? U'#' : U' ';
-    const bool upper = is_dot(glyph, 2 * row / scale, column / scale);
-    const bool lower = is_dot(glyph, (2 * row + 1) / scale, column / scale);
-    return upper && lower ? U'█' : upper ? U'▀' : lower ? U'▄' : U' ';
-}
-
-int rows_of_digits(const Look& look) {
-    return look.utf8 ? (glyph_rows + 1) / 2 : glyph_rows;
-}
-
-void write_large(Canvas& canvas, int column, int row, std::string_view text, int scale,
-                 const Ink& ink, const Look& look) {
-    for (const char character : text) {
-        const Glyph* glyph = glyph_of(character);
-        if (!glyph) continue;
-        for (int down = 0; down < scale * rows_of_digits(look); ++down)
-            for (int across = 0; across < scale * glyph->columns; ++across)
-                canvas.put(column + across, row + down,
-                           {cell_of(*glyph, down, across, scale, look), ink.color, default_color,
-                            ink.attributes});
-        column += scale * (glyph->columns + 1);
-    }
-}
 
 // A dark pane behind a panel, where the terminal has colours for it.
 void lay_pane(Canvas& canvas, const CellArea& area, const Look& look) {
@@ -102,13 +38,13 @@ class Writer {
     }
     void score(std::string_view text) {
         const Ink ink = ink_of(Role::counter, look_);
-        const int width = width_of(text);
-        if (width > area_.columns || rows_left() < rows_of_digits(look_)) return line(text, ink);
+        const int width = large_width(text);
+        if (width > area_.columns || rows_left() < large_rows(look_)) return line(text, ink);
         // Twice as large where even a large score has room for it.
-        const bool is_wide = 2 * std::max(width, width_of(wide_score)) <= area_.columns;
+        const bool is_wide = 2 * std::max(width, large_width(wide_score)) <= area_.columns;
         const int scale = is_wide && rows_left() >= least_rows_of_wide ? 2 : 1;
         write_large(canvas_, area_.column, area_.row + row_, text, scale, ink, look_);
-        row_ += scale * rows_of_digits(look_);
+        row_ += scale * large_rows(look_);
     }
     // Light text on a bar as wide as the panel, noticeable from the corner of an eye.
     void call(std::string_view text, const Ink& ink) {

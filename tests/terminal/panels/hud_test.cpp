@@ -63,7 +63,7 @@ TEST_CASE("the status line shows the number of balls under contact") {
 TEST_CASE("status lines in a usual window") {
     CHECK(drawn(galton(), 80, 24) == R"(
  Galton board, 12 rows  > x1         12.345 s  swept (auto)    120/120 ticks/s
- KE 123.46      drift +1.3e-13  p +0.123    -4.5       model gravity 0,-9.81...
+ KE 123.46      drift +1.3e-13  p +0.123    -4.5       model gravity +2
  space pause  . step  , back  ? help  q quit
 )");
 }
