@@ -35,6 +35,9 @@ struct Brush {
     char fill = 0;
     /// Renderers with pixels: an inside of tone 0 stays as it was, so that a disc is a ring.
     bool is_ring = false;
+    /// Renderers with pixels: its border runs between pixels, and is not smoothed, as where
+    /// borders are sharp.
+    bool is_crisp = false;
 };
 
 /// How a ball is painted with pixels.

@@ -55,7 +55,7 @@ void Raster::paint_pixels(CellSamples& cell, RasterPoint corner, const Brush& br
                           Coverage coverage) {
     const auto count = static_cast<std::size_t>(renderer_->across * renderer_->down);
     const auto sharpened = [&](double cover) {
-        return is_sharp_ ? (cover >= least_cover ? 1.0 : 0.0) : cover;
+        return is_sharp_ || brush.is_crisp ? (cover >= least_cover ? 1.0 : 0.0) : cover;
     };
     for (std::size_t i = 0; i < count; ++i) {
         const Cover cover = coverage(corner.x + middles_[i].x, corner.y + middles_[i].y);
@@ -231,7 +231,8 @@ void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Br
         if (start.x == end.x) start.x = end.x = middle_of_sample(start.x, width_);
         if (start.y == end.y) start.y = end.y = middle_of_sample(start.y, height_);
     }
-    if (radius <= hairline() && is_sharp_ && renderer_->is_sharp && brush.tone > 0)
+    const bool is_sharp = (is_sharp_ && renderer_->is_sharp) || brush.is_crisp;
+    if (radius <= hairline() && is_sharp && renderer_->has_pixels() && brush.tone > 0)
         return thin_line(start, end, brush);
     const bool is_point = start.x == end.x && start.y == end.y;
     if (renderer_->has_regions() && !is_point && radius <= widest_line && brush.tone > 0) {

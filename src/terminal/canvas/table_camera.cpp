@@ -8,6 +8,8 @@ namespace {
 
 // The view shows at least this share of the table: less would hide too much of what lies ahead.
 constexpr double least_share = 0.6;
+// A view that would be hardly closer than the whole table shows all of it.
+constexpr double least_zoom = 1.3;
 // A critically damped spring that settles in about half a second.
 constexpr double stiffness = 7.0;   // 1/s
 constexpr double foresight = 0.15;  // s; the camera aims at where the ball will be after this time
@@ -37,7 +39,8 @@ Camera TableCamera::look(const Box& table, double ball_radius, double ball_rows,
     const double across = 2.0 * ball_radius / camera.aspect;  // rows at one column a length
     const double wide = area.columns / std::max(size(table).x, 1e-12);
     const double wanted = across > 0.0 ? ball_rows / across : all;
-    camera.columns_per_length = std::max(all, std::min({wanted, all / least_share, wide}));
+    const double near = std::min({wanted, all / least_share, wide});
+    if (near > least_zoom * all) camera.columns_per_length = near;
     const double seen = area.rows * camera.aspect / camera.columns_per_length;
     const double low = table.low.y + 0.5 * seen;
     const double high = table.high.y - 0.5 * seen;

@@ -118,7 +118,7 @@ void paint_cue(Raster& raster, const View& view, const PoolAnnotations::Line& st
         // Where borders are sharp, a capsule thinner than a pixel could fall between pixels.
         constexpr double least = 0.55;  // columns
         raster.capsule(at(piece->from), at(piece->to), radius < least ? 0.0 : radius,
-                       {dress_ink(piece->color, look), 255, '\0'});
+                       {.ink = dress_ink(piece->color, look), .is_crisp = true});
     }
 }
 

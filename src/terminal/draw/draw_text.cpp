@@ -76,12 +76,16 @@ std::string short_count(std::uint64_t count) {
     return fmt::format("{}M", count / 1000000);
 }
 
-std::string label_of(const View& view, std::size_t ball) {
+bool has_name(const View& view, std::size_t ball) {
     const std::uint32_t id = number(view.world.balls().id[ball]);
     const auto& names = view.scene.ball_names;
-    if (view.options.labels == Labels::automatic && id < names.size() && !names[id].empty()) {
-        return names[id];
-    }
+    return id < names.size() && !names[id].empty();
+}
+
+std::string label_of(const View& view, std::size_t ball) {
+    const std::uint32_t id = number(view.world.balls().id[ball]);
+    if (view.options.labels == Labels::automatic && has_name(view, ball))
+        return view.scene.ball_names[id];
     return fmt::format("{}", id);
 }
 
@@ -182,9 +186,12 @@ void write_labels(Canvas& canvas, const View& view) {
         if (labels == Labels::automatic && chord < 2.0) continue;
         const auto at = cell_of(view.camera, balls.position[i]);
         if (!at) continue;
+        // Unasked, only names are worth their room.
+        if (labels == Labels::automatic && !has_name(view, i)) continue;
         std::string text = label_of(view, i);
         const int room = static_cast<int>(std::min(chord, 100.0)) - 1;
-        if (columns_of(text) > room) text = fmt::format("{}", number(balls.id[i]));
+        if (columns_of(text) > room && labels == Labels::all)
+            text = fmt::format("{}", number(balls.id[i]));
         // Characters inside a ball would run into the text.
         if (renderer_in_force(view.options).has_regions() && columns_of(text) + 2 <= room)
             text = " " + text + " ";

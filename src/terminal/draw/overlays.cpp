@@ -74,8 +74,12 @@ void paint_broad_phase(Raster& raster, const View& view) {
 void paint_velocities(Raster& raster, const View& view) {
     if (!(view.memory.fastest > 0.0)) return;
     const Ink ink = ink_of(Role::velocity, view.options.look);
-    const double longest = std::clamp(raster.columns() / 8.0, 4.0, 12.0);
     const Balls& balls = view.world.balls();
+    // In a crowd arrows are hardly longer than the balls are apart.
+    const double area = raster.columns() * raster.rows() * raster.aspect();
+    const double apart =
+        std::sqrt(area / static_cast<double>(std::max<std::size_t>(1, balls.size())));
+    const double longest = std::clamp(raster.columns() / 8.0, 4.0, std::clamp(apart, 4.0, 12.0));
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const double speed = length(balls.velocity[i]);
         const double long_by = speed / view.memory.fastest * longest;

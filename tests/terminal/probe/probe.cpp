@@ -138,7 +138,8 @@ int show_frames(Screen& screen, int count, RendererChoice renderer, const std::s
     }
     ViewOptions options;
     options.renderer = renderer;
-    options.look = {capabilities.colors, capabilities.utf8, capabilities.light_background};
+    options.look = {capabilities.direct_color ? direct_colors : capabilities.colors,
+                    capabilities.utf8, capabilities.light_background};
     ViewMemory memory;
     const Camera camera =
         fit_camera(level.empty() ? Box{{0, 0}, {160, 96}} : loaded.scene->view,
