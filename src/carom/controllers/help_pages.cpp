@@ -57,8 +57,7 @@ constexpr HelpLine lines[] = {
     {in_free, "Edit", "add-ball remove", "a x", "add, remove a ball"},
     {in_free, "Edit", "draw-edge remove-edge", "", "draw, remove an edge"},
     {in_free, "Edit", "undo", "", "undo"},
-    {in_free, "World", "solver", "", "next solver"},
-    {in_free, "World", "gravity turn-gravity", "", "gravity: on/off, turn"},
+    {in_free, "Edit", "gravity turn-gravity", "", "gravity: on/off, turn"},
 
     {in_all, "Time", "pause", "", "pause, resume"},
     {at_pool, "Time", "to-rest", "", "skip until they rest"},
@@ -85,7 +84,8 @@ constexpr HelpLine lines[] = {
     {in_all, "View", "reset-view", "", "reset view"},
 
     {in_all, "Program", "about", "f1", "about this level"},
-    {in_all, "Program", "explain", "", "solver and model"},
+    {in_free, "Program", "solver explain", "", "solver: next, details"},
+    {at_pool | at_pinball | watched, "Program", "explain", "", "solver and model"},
     {in_lab | at_pool, "Program", "save", "", "save as a level"},
     {in_all, "Program", "mouse", "", "mouse on, off"},
     {in_free | at_pool | at_pinball, "Program", "take-up", "", "resume unfinished game"},

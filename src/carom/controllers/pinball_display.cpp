@@ -65,7 +65,7 @@ std::string ball_line(const Session& session) {
 
 std::string bonus_line(const Session& session) {
     const PinballState& state = state_of(session);
-    if (state.bonus <= 0) return "no bonus yet";
+    if (state.bonus <= 0) return "bonus 0";
     std::string line =
         fmt::format("bonus {} x {}", state.bonus, grouped(session.scene().table.bonus));
     if (state.multiplier > 1) line += fmt::format(" x {}", state.multiplier);

@@ -71,9 +71,9 @@ std::string PinballInput::next_flipper_mode() {
 }
 
 std::string PinballInput::flipper_mode() const {
-    if (buttons_.toggles()) return "each press turns one over";
-    if (buttons_.tells_release()) return "up while held";
-    return fmt::format("up while held (a tap: {:.2f} s)", buttons_.repeat().tap_length());
+    if (buttons_.toggles()) return "Each press turns one over.";
+    if (buttons_.tells_release()) return "Hold to keep up.";
+    return fmt::format("Hold to keep up (a tap: {:.2f} s).", buttons_.repeat().tap_length());
 }
 
 }  // namespace carom

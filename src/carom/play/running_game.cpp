@@ -87,7 +87,7 @@ void RunningGame::compare_marks() {
 void RunningGame::ask_for_name() {
     namespace fs = std::filesystem;
     if (!player.session().scene().table.is_empty())
-        return player.complain("A pinball table cannot be saved. Record it: --record FILE.");
+        return player.complain("A level has no place for scores and lamps. Record: --record.");
     const std::string stem = fs::path(source.path).stem().string();
     std::string name;
     std::error_code error;

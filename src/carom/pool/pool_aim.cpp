@@ -249,9 +249,9 @@ void PoolAim::take(const Session& session, const CandidateShot& candidate) {
 
 std::string PoolAim::next_aids() {
     if (is_match_) return "a match shows the ghost ball only";
-    constexpr std::string_view texts[] = {"no help: the cue alone", "help: ghost ball and lines",
-                                          "help: the whole shot",
-                                          "help: 20 shots of a hand that errs"};
+    constexpr std::string_view texts[] = {"aid: off", "aid: ghost ball and lines",
+                                          "aid: the whole shot",
+                                          "aid: dots are 20 imperfect shots"};
     setup_.aids = static_cast<Aids>((static_cast<int>(setup_.aids) + 1) % 4);
     is_seen_ = false;
     return std::string(texts[static_cast<std::size_t>(setup_.aids)]);

@@ -60,7 +60,7 @@ Refusal refused(const Scene&, const World&, const PoolPlay& play, const command:
 }
 
 Refusal refused(const Scene&, const World&, const PoolPlay& play, const command::RackAgain&) {
-    return play.is_shooting ? Refusal{"the balls still roll"} : Refusal{};
+    return play.is_shooting ? Refusal{"the balls are still rolling"} : Refusal{};
 }
 
 Refusal refused(const Scene& scene, const World&, const PoolPlay& play, const command::TimeOut&) {
@@ -85,7 +85,7 @@ std::optional<std::string> refusal(const Scene& scene, const World& world, const
 }
 
 std::optional<std::string> refusal_to_shoot(const PoolPlay& play, BallId ball) {
-    if (play.is_shooting) return "the balls still roll";
+    if (play.is_shooting) return "the balls are still rolling";
     if (play.rules.phase == PoolPhase::over) return "the rack is over";
     if (play.rules.phase == PoolPhase::choosing) return "there is something to decide first";
     if (play.balls[cue_ball] != std::optional(ball)) return "only the cue ball is struck";
@@ -94,7 +94,7 @@ std::optional<std::string> refusal_to_shoot(const PoolPlay& play, BallId ball) {
 
 std::optional<std::string> refusal_to_place(const Scene& scene, const PoolPlay& play, BallId ball,
                                             Vec2 place) {
-    if (play.is_shooting) return "the balls still roll";
+    if (play.is_shooting) return "the balls are still rolling";
     if (play.balls[cue_ball] != std::optional(ball) || play.rules.in_hand == CueInHand::no)
         return "the ball stays where it lies";
     if (is_in_hand_area(scene, play.rules.in_hand, place)) return std::nullopt;

@@ -32,9 +32,9 @@ std::string task_text(const PoolPlay& play) {
     const PoolState& rules = play.rules;
     if (play.is_shooting) return "the balls roll";
     if (rules.phase == PoolPhase::choosing) return "to choose";
-    if (rules.phase == PoolPhase::breaking) return "to break, ball in hand behind the line";
     if (rules.in_hand == CueInHand::anywhere) return "ball in hand";
-    if (rules.in_hand == CueInHand::behind_head_string) return "ball in hand behind the line";
+    if (rules.in_hand == CueInHand::behind_head_string)
+        return "ball in hand behind the head string";
     if (rules.in_hand == CueInHand::in_d) return "ball in hand in the D";
     if (rules.may_push_out) return "to shoot, or push out";
     return "to shoot";
@@ -88,7 +88,7 @@ std::string_view foul_text(PoolFoul foul) {
         case PoolFoul::time:
             return "the time is up";
         case PoolFoul::behind_string:
-            return "the ball met first was behind the line";
+            return "the ball met first was behind the head string";
         case PoolFoul::weak_opening:
             return "the cue ball and two balls must meet a cushion";
         case PoolFoul::wrong_pot:
@@ -144,8 +144,11 @@ std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
     const std::string warning = is_warned(rules) && !play.is_shooting
                                     ? ", " + std::string(rules.referee->warning_text())
                                     : "";
-    return frames + name_of(names, rules.player) + target_text(rules) + ": " + task_text(play) +
-           warning;
+    const std::string name = name_of(names, rules.player);
+    if (rules.phase == PoolPhase::breaking && !play.is_shooting)
+        return frames + name + (name == "you" ? " break: " : " breaks: ") +
+               "ball in hand behind the head string" + warning;
+    return frames + name + target_text(rules) + ": " + task_text(play) + warning;
 }
 
 std::string clock_text(double seconds) {

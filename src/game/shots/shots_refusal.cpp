@@ -59,7 +59,7 @@ Refusal refused(const Scene& scene, const World& world, const ShotsState& state,
 }
 
 Refusal refused(const Scene&, const World&, const ShotsState& state, const command::RackAgain&) {
-    return state.is_shooting ? Refusal{"the balls still roll"} : Refusal{};
+    return state.is_shooting ? Refusal{"the balls are still rolling"} : Refusal{};
 }
 
 Refusal refused(const Scene&, const World& world, const ShotsState&,
@@ -76,7 +76,7 @@ Refusal refused(const Scene&, const World&, const ShotsState&, const Other&) {
 
 std::optional<std::string> refusal_to_shoot(const World& world, const ShotsState& state) {
     if (state.is_over) return "the game is over";
-    if (state.is_shooting || !is_at_rest(world)) return "the balls still roll";
+    if (state.is_shooting || !is_at_rest(world)) return "the balls are still rolling";
     return std::nullopt;
 }
 

@@ -114,9 +114,9 @@ std::string explanation(const Model& model, double rate, const SolverPick& pick,
                                        : fmt::format("{}", fmt::join(terms, "\n        "));
     const std::string picked = settings_text(pick.settings, SettingsText::used);
     const std::string solver_text =
-        asked_for ? fmt::format("{}: asked for\nauto    would take {}",
+        asked_for ? fmt::format("{} (chosen by you)\nauto    would choose {}",
                                 settings_text(*asked_for, SettingsText::used), picked)
-                  : fmt::format("{}: taken by auto", picked);
+                  : fmt::format("{} (chosen automatically)", picked);
     const SolverSettings& solver = asked_for ? *asked_for : pick.settings;
     const std::string_view heaps =
         uses_hybrid_step(model, solver)

@@ -145,7 +145,7 @@ TEST_CASE("with key releases, the first press already holds the flipper up") {
         CAPTURE(tells);
         AtTable table(home, tells);
         const std::size_t at_rest = table.picture();
-        CHECK(table.sees(tells ? "up while held (k" : "up while held (a tap: 0.75 s)"));
+        CHECK(table.sees(tells ? "Hold to keep up.  k" : "Hold to keep up (a tap: 0.75 s)"));
         table.key(U'z');
         table.pass(0.1);
         const std::size_t up = table.picture();
@@ -164,7 +164,7 @@ TEST_CASE("a release in the kitty protocol lowers a flipper at once") {
                          {.columns = 100, .rows = 40, .emulator = {.has_key_protocol = true}});
     REQUIRE(game.wait_for_text("A small table"));
     CHECK(game.screen().key_stack() == 1);
-    CHECK(game.wait_for_text("up while held"));
+    CHECK(game.wait_for_text("Hold to keep up"));
     const auto picture = [&] {
         std::string rows;
         for (int row = 0; row < table_rows; ++row)
@@ -317,7 +317,7 @@ TEST_CASE("high scores and the flipper mode survive a reload of the level") {
     AtTable table(home, true, true);
     CHECK(table.sees("XYZ"));
     table.key(U'k');
-    CHECK(table.sees("each press turns one over"));
+    CHECK(table.sees("Each press turns one over"));
     table.pass(0.5);
     std::string changed = level;
     changed.replace(changed.find("A small table"), 13, "Another table");
@@ -326,7 +326,7 @@ TEST_CASE("high scores and the flipper mode survive a reload of the level") {
     REQUIRE(table.sees("Another table"));
     CHECK(table.sees("XYZ"));
     CHECK(table.sees("4,321"));
-    CHECK(table.sees("each press turns one over"));
+    CHECK(table.sees("Each press turns one over"));
     // The number of lines that the level has now.
     changed.replace(changed.find("highscores=3"), 12, "highscores=0");
     home.write("work.level", changed);
@@ -338,7 +338,7 @@ TEST_CASE("a flipper can be bound to another key in the preferences, and hints s
     const TableHome home;
     AtTable table(home, true, false, "p = left-flipper\nz = none\nleft = none\n");
     const std::size_t at_rest = table.picture();
-    CHECK(table.sees("flippers p / or mouse buttons"));
+    CHECK(table.sees("Flippers: p and /, or mouse buttons"));
     table.key(U'z');
     table.pass(0.1);
     CHECK(table.picture() == at_rest);

@@ -63,7 +63,7 @@ struct Person : test::PersonAtWindow {
 
 TEST_CASE("a break by keys: enter shoots, and the referee reports the outcome") {
     Person person("eight-ball");
-    CHECK(person.sees("player 1: to break"));
+    CHECK(person.sees("player 1 breaks"));
     CHECK(person.sees("8.00 m/s"));
     person.key(key::up);
     CHECK(person.sees("8.10 m/s"));
@@ -152,7 +152,7 @@ TEST_CASE("undo reverts the shot") {
     person.wait();
     person.key(U'u');
     CHECK(fingerprint(person.player.session().world(), person.player.session().game()) == before);
-    CHECK(person.sees("player 1: to break"));
+    CHECK(person.sees("player 1 breaks"));
 }
 
 TEST_CASE("the aim calls the ball that it pockets, and a key calls a safety") {
@@ -176,7 +176,7 @@ TEST_CASE("the aim calls the ball that it pockets, and a key calls a safety") {
 TEST_CASE("against carom: it takes its turn, and No shot can be undone") {
     Person person("nine-ball");
     REQUIRE(person.players().set_opponent(person.player.session(), 2));
-    CHECK(person.sees("you: to break"));
+    CHECK(person.sees("you break"));
     person.key(key::down);
     person.stroke();
     person.wait();
@@ -337,12 +337,12 @@ TEST_CASE("aiming aids: the ghost ball by default, a forecast, a cloud that is c
     const auto full = dots();
     CHECK(full > ghost);
     person.key(U'A');
-    CHECK(person.sees("20 shots"));
+    CHECK(person.sees("20 imperfect shots"));
     for (int i = 0; i < 25; ++i)
         person.player.advance(0.01, always);
     CHECK(person.look().find(':') != std::string::npos);
     person.key(U'A');
-    CHECK(person.sees("the cue alone"));
+    CHECK(person.sees("aid: off"));
     CHECK(dots() < full);
     CHECK_FALSE(person.sees("cut"));
 }
@@ -372,9 +372,9 @@ TEST_CASE("the clock is shown, its last seconds are announced, and its end passe
         for (double passed = 0.0; passed < seconds - 0.05; passed += 0.1)
             person.pass(0.1);
     };
-    CHECK(person.sees("behind the line, 8 s"));
+    CHECK(person.sees("behind the head string, 8 s"));
     pass(2.0);
-    CHECK(person.sees("behind the line, 6 s"));
+    CHECK(person.sees("behind the head string, 6 s"));
     CHECK_FALSE(person.sees("6 s left"));
     pass(2.0);
     CHECK(person.sees("4 s left"));
@@ -384,7 +384,7 @@ TEST_CASE("the clock is shown, its last seconds are announced, and its end passe
     CHECK(person.sees("4 s left"));
     person.key(U' ');
     pass(4.1);
-    CHECK(person.sees("player 2: to break"));
+    CHECK(person.sees("player 2 breaks"));
     CHECK(person.sees("foul: the time is up"));
     CHECK(person.play().shots == 0);
 }
@@ -398,11 +398,11 @@ TEST_CASE("the shot clock counts the player's seconds, whatever the speed of the
         person.key(key);
     for (int i = 0; i < 50; ++i)
         person.pass(0.1);
-    CHECK(person.sees("behind the line, 25 s"));
+    CHECK(person.sees("behind the head string, 25 s"));
     // In a recording its end is a command.
     for (int i = 0; i < 251; ++i)
         person.pass(0.1);
-    CHECK(person.sees("player 2: to break"));
+    CHECK(person.sees("player 2 breaks"));
     const auto commands = person.player.session().commands();
     REQUIRE(commands.size() == 1);
     CHECK(std::holds_alternative<command::TimeOut>(commands[0].command));

@@ -648,10 +648,10 @@ TEST_CASE("there is no butterfly if 200 copies do not fit into memory") {
 TEST_CASE("a page explains which solver is in force") {
     Person person;
     person.key(U'i');
-    CHECK(person.sees("solver  swept substeps=1: asked for"));
-    CHECK(person.sees("auto    would take "));
+    CHECK(person.sees("solver  swept substeps=1 (chosen by you)"));
+    CHECK(person.sees("auto    would choose "));
     person.key(U'i');
-    CHECK_FALSE(person.sees("asked for"));
+    CHECK_FALSE(person.sees("chosen by you"));
 }
 
 TEST_CASE("a key cancels a long tick, mouse motion does not") {

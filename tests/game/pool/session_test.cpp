@@ -168,8 +168,8 @@ TEST_CASE("the referee allows only strikes of the cue ball, and only while the b
     CHECK(match.session.apply(command::PlaceBall{one, {0.0, 0.0}}) ==
           "the ball stays where it lies");
     CHECK_FALSE(match.shoot({9.0, 0.1}));
-    CHECK(match.shoot({1.0, 0.0}) == "the balls still roll");
-    CHECK(match.session.apply(command::RackAgain{}) == "the balls still roll");
+    CHECK(match.shoot({1.0, 0.0}) == "the balls are still rolling");
+    CHECK(match.session.apply(command::RackAgain{}) == "the balls are still rolling");
 }
 
 TEST_CASE("ball in hand is placed on the table, behind the line, and clear of other balls") {

@@ -158,12 +158,12 @@ TEST_CASE("the summary and the verdicts read well") {
 TEST_CASE("the explanation names the terms and the solver") {
     const std::string picked = explanation(load("ball a at=0,0\n"));
     CHECK(picked.starts_with("model   elastic, frictionless"));
-    CHECK(has(picked, ": taken by auto\nreason  "));
+    CHECK(has(picked, " (chosen automatically)\nreason  "));
     CHECK(has(picked, "rate    120 ticks a second\n"));
     const std::string text =
         explanation(load("solver discrete\nuse gravity 0,-2\nuse drag 1\nball a at=0,0\n"));
     CHECK(has(text, "model   gravity 0,-2\n        drag 1\n"));
-    CHECK(has(text, "solver  discrete: asked for\nauto    would take "));
+    CHECK(has(text, "solver  discrete (chosen by you)\nauto    would choose "));
     const std::string heaps =
         "heaps   too dense for events, they go over to contact, and come back\n";
     const std::string falls = "use gravity 0,-2\nkind soft r=1 e=0.5\nball a at=0,0 kind=soft\n";
