@@ -159,7 +159,7 @@ void PinballController::add_status(const PlayContext& play, HudInfo& info) const
     }
     if (!has_flippers(play.session.scene())) return;
     const std::string mouse = play.terminal.mouse_is_off ? "" : ", or mouse buttons";
-    info.game = fmt::format("Flippers: {} and {}{}. {}  {}: mode", play.keys.hint("left-flipper"),
+    info.game = fmt::format("Flippers: {} and {}{}.  {}  {}: mode", play.keys.hint("left-flipper"),
                             play.keys.hint("right-flipper"), mouse, input_.flipper_mode(),
                             play.keys.hint("flipper-mode"));
 }

@@ -1,6 +1,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,7 +23,74 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
+namespace fs = std::filesystem;
+
+// A call of carom in a document, and what the document has of its output: a file, or the text of
+// the fenced block that follows.
+struct Call {
+    std::vector<std::string> arguments;
+    std::string file;
+    std::string text;
+};
+
+std::optional<Call> call_in(const std::string& line) {
+    constexpr std::string_view opening = "<!-- carom picture ";
+    constexpr std::string_view closing = " -->";
+    if (!line.starts_with(opening) || !line.ends_with(closing)) return std::nullopt;
+    std::istringstream words(
+        line.substr(opening.size(), line.size() - opening.size() - closing.size()));
+    Call call{{"picture"}, {}, {}};
+    for (std::string word; words >> word;) {
+        if (word == "--output")
+            words >> call.file;
+        else
+            call.arguments.push_back(word);
+    }
+    return call;
+}
+
+std::vector<Call> calls_in(const fs::path& document) {
+    std::vector<Call> calls;
+    std::istringstream lines(content(document.string()));
+    for (std::string line; std::getline(lines, line);) {
+        std::optional<Call> call = call_in(line);
+        if (!call) continue;
+        if (call->file.empty()) {
+            REQUIRE(std::getline(lines, line));
+            REQUIRE(line == "```text");
+            while (std::getline(lines, line) && line != "```")
+                call->text += line + "\n";
+        }
+        calls.push_back(*std::move(call));
+    }
+    return calls;
+}
+
 }  // namespace
+
+// If a change alters them on purpose: scripts/update pictures.
+TEST_CASE("the pictures of README and manual show what carom draws") {
+    const fs::path root = CAROM_SOURCE_DIR;
+    std::vector<fs::path> documents{root / "README.md"};
+    for (const auto& entry : fs::directory_iterator(root / "docs"))
+        if (entry.path().extension() == ".md") documents.push_back(entry.path());
+    std::vector<std::string> files;
+    for (const fs::path& document : documents)
+        for (const Call& call : calls_in(document)) {
+            CAPTURE(document.string());
+            CAPTURE(call.file);
+            const auto drawn = run_carom(call.arguments);
+            CHECK(drawn.exit_code == 0);
+            const std::string shown =
+                call.file.empty() ? call.text : content((root / call.file).string());
+            CHECK(drawn.out == shown);
+            if (!call.file.empty()) files.push_back((root / call.file).string());
+        }
+    CHECK(files.size() >= 3);
+    // No picture is left that no document makes.
+    for (const auto& entry : fs::directory_iterator(root / "docs" / "pictures"))
+        CHECK(std::ranges::count(files, entry.path().string()) == 1);
+}
 
 TEST_CASE("carom picture writes what the screen would show, as text, ANSI or SVG") {
     const TemporaryFolder folder;
