@@ -173,6 +173,52 @@ TEST_CASE("msd and vacf: free balls have v^2 t^2 and 1, also across a torus") {
     }
 }
 
+// Back and forth in 20/7 s. Seen from one time origin, the ball flies either there or back; over
+// origins 2 s apart, which meet all phases of its motion, the correlation is a triangle.
+TEST_CASE("msd and vacf: the curves are means over time origins") {
+    Observed run(
+        "rate 16\nedge r=0 0,-5 0,5\nedge r=0 12,-5 12,5\nball at=2,0 v=7,0 r=1\n"
+        "observe msd vacf\n");
+    run.run(31.0);
+    CHECK(std::fabs(*run.value("vacf")) == doctest::Approx(1.0));
+    const double period = 20.0 / 7.0;
+    int quarter = 0;
+    for (const CurvePoint& point : run.observer.curve(Observable::vacf).points) {
+        if (point.x > period / 2.0) continue;
+        CHECK(std::fabs(point.y - (1.0 - 4.0 * point.x / period)) < 0.3);
+        ++quarter;
+    }
+    CHECK(quarter == 23);
+    for (const CurvePoint& point : run.observer.curve(Observable::msd).points)
+        if (point.x == 2.75)        // nearly a whole period, for every origin
+            CHECK(point.y < 0.57);  // 7 m/s for the rest of it
+    // Every second lag goes after 512 ticks, and the mean over origins stays.
+    run.run(3.0);
+    const Curve later = run.observer.curve(Observable::vacf);
+    CHECK(later.points.size() == 273);
+    CHECK(later.points[1].x == 2.0 / 16.0);
+    CHECK(std::fabs(later.points[5].y - (1.0 - 4.0 * 0.625 / period)) < 0.25);
+}
+
+// In an equilibrium of hard discs the velocity of a disc decays at first at the rate of Enskog:
+// each impact takes, on average, as much as it would at random.
+TEST_CASE("vacf: that of hard discs begins as Enskog says") {
+    constexpr double packing = 0.2;
+    Observed run(discs(packing, 400, "observe vacf from=2s"));
+    run.run(10.0);
+    const double pi = 3.14159265358979323846;
+    const double rate =
+        2.0 * std::sqrt(pi) * (packing / pi) * 2.0 * henderson_contact(packing) * std::sqrt(50.0);
+    int checked = 0;
+    for (const CurvePoint& point : run.observer.curve(Observable::vacf).points) {
+        if (point.x * rate > 1.0) break;
+        CAPTURE(point.x);
+        CHECK(std::fabs(point.y - std::exp(-point.x * rate)) < 0.03);
+        ++checked;
+    }
+    CHECK(checked > 10);
+}
+
 TEST_CASE("vacf: a ball that a wall sends back has -1") {
     Observed run("edge 10,-5 10,5\nball at=5,0 v=2,0\nobserve vacf msd\n");
     run.run(4.0);
