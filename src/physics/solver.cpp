@@ -7,6 +7,7 @@
 #include "physics/solver_table.h"
 #include "physics/tick/emitters_and_sinks.h"
 #include "physics/tick/hands.h"
+#include "physics/tick/mover_step.h"
 #include "physics/tick/undo.h"
 
 namespace carom {
@@ -76,10 +77,13 @@ struct Solver::State {
     std::vector<BallId> standing;
     TickUndo undo;
     HandStep hands;
-    World before_hands;
+    MoverStep movers;
+    World before;  // a tick that may be repeated
 
     TickOutcome advance(World& world, const std::function<bool()>& keep_going);
-    TickOutcome advance_hands(World& world, const std::function<bool()>& keep_going);
+    TickOutcome advance_by_trial(World& world, bool has_hands, bool has_movers,
+                                 const std::function<bool()>& keep_going);
+    bool is_sound_for_movers(const World& world);
 };
 
 TickOutcome Solver::State::advance(World& world, const std::function<bool()>& keep_going) {
@@ -88,18 +92,32 @@ TickOutcome Solver::State::advance(World& world, const std::function<bool()>& ke
     return method->advance(world, {contacts, touched, keep_going});
 }
 
-// Repeats the tick with shorter and shorter displacements of the hands, until it is sound.
-TickOutcome Solver::State::advance_hands(World& world, const std::function<bool()>& keep_going) {
-    before_hands = world;
-    for (double share = hands.first_share();; share = HandStep::next_share(share)) {
-        hands.aim(world, share);
+bool Solver::State::is_sound_for_movers(const World& world) {
+    return movers.is_sound({.before = before,
+                            .after = world,
+                            .contacts = contacts,
+                            .standing = method->standing(),
+                            .overlaps_at_impacts = row_of(settings.kind).overlaps_at_impacts});
+}
+
+// Repeats the tick with shorter and shorter displacements of hands and movers, until it is sound.
+TickOutcome Solver::State::advance_by_trial(World& world, bool has_hands, bool has_movers,
+                                            const std::function<bool()>& keep_going) {
+    before = world;
+    for (double share = hands.first_share();;) {
+        if (has_hands) hands.aim(world, share);
+        if (has_movers) movers.aim(world);
         const TickOutcome outcome = advance(world, keep_going);
         if (outcome == TickOutcome::cancelled) return outcome;
-        if (share == 0.0 || hands.is_sound(before_hands, world)) {
-            hands.end(world, share);
+        const bool suits_hands = !has_hands || share == 0.0 || hands.is_sound(before, world);
+        const bool suits_movers = !has_movers || is_sound_for_movers(world);
+        if (suits_hands && suits_movers) {
+            if (has_hands) hands.end(world, share);
+            if (has_movers) movers.end(world);
             return outcome;
         }
-        world = before_hands;
+        if (!suits_hands) share = HandStep::next_share(share);
+        world = before;
     }
 }
 
@@ -130,11 +148,14 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     if (can_cancel) state.undo.note(world);
     emit(world);
     drive_flippers(world);
+    const bool has_movers = state.movers.begin(world);
+    const bool has_hands = state.hands.begin(world);
     state.standing.clear();
     const std::function<bool()> never_asked;
     const std::function<bool()>& asked = can_cancel ? keep_going : never_asked;
-    const TickOutcome outcome =
-        state.hands.begin(world) ? state.advance_hands(world, asked) : state.advance(world, asked);
+    const TickOutcome outcome = has_hands || has_movers
+                                    ? state.advance_by_trial(world, has_hands, has_movers, asked)
+                                    : state.advance(world, asked);
     if (outcome == TickOutcome::cancelled) {
         state.contacts.clear();
         state.undo.take_back(world);

@@ -183,16 +183,19 @@ bool never(const World&) {
 constexpr std::array<SolverRow, 5> rows{{
     {.kind = SolverKind::discrete,
      .supports_cloth = true,
+     .overlaps_at_impacts = true,
      .can_cancel = never,
      .make = [](const SolverSettings&) -> Made { return std::make_unique<OverlapMethod>(1, 1); }},
     {.kind = SolverKind::substep,
      .supports_cloth = true,
+     .overlaps_at_impacts = true,
      .can_cancel = always,
      .make = [](const SolverSettings& settings) -> Made {
          return std::make_unique<OverlapMethod>(settings.updates, settings.steps);
      }},
     {.kind = SolverKind::swept,
      .supports_cloth = true,
+     .overlaps_at_impacts = false,
      .can_cancel = always,
      .make = [](const SolverSettings& settings) -> Made {
          return std::make_unique<SweptMethod>(settings.substeps);
@@ -200,12 +203,14 @@ constexpr std::array<SolverRow, 5> rows{{
     // The constraint solver does a fixed amount of work; its stand-in does not.
     {.kind = SolverKind::contact,
      .supports_cloth = false,
+     .overlaps_at_impacts = false,
      .can_cancel = is_flight_only,
      .make = [](const SolverSettings& settings) -> Made {
          return std::make_unique<ContactMethod>(settings.contact_substeps);
      }},
     {.kind = SolverKind::event,
      .supports_cloth = true,
+     .overlaps_at_impacts = false,
      .can_cancel = always,
      .make = [](const SolverSettings& settings) -> Made {
          if (settings.extended) return std::make_unique<ExtendedEventMethod>();

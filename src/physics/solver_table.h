@@ -46,6 +46,8 @@ struct SolverRow {
     /// Whether it moves balls on cloth as Model::cloth says. Every solver supports everything else
     /// in a model.
     bool supports_cloth;
+    /// Whether it notices an impact by the overlap of the bodies.
+    bool overlaps_at_impacts;
     /// Whether a tick of this world can take so long that it asks `keep_going`.
     bool (*can_cancel)(const World& world);
     std::unique_ptr<SolverMethod> (*make)(const SolverSettings& settings);

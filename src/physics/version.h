@@ -30,6 +30,8 @@ namespace carom {
 ///   shot clock is a command.
 /// - `event`: pressed balls that an edge bars from separating do so along the edge
 ///   (event/impact/position_correction.h).
+/// - `event`: a ball that gravity presses on a driven edge leaves it so that it rises by at least
+///   5e-4 of its radius (driven_lift_height, laws/bounce.h).
 /// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
 inline constexpr int physics_version = 3;
 

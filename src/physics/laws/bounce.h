@@ -42,6 +42,11 @@ inline constexpr double hand_restitution = 0.05;
 /// more softly; so it hops along, a few times a tick at most.
 inline constexpr double driven_lift = 0.02;
 
+/// Under `event` a ball that gravity presses on a motorised surface leaves it so that it rises by
+/// at least this share of its radius. It lies on a slow lift so, without impacts without end.
+/// x10: it hops visibly; /10: its impacts count as a jam (quick_succession, event/motion).
+inline constexpr double driven_lift_height = 5e-4;
+
 /// The coefficient of restitution of a ball and a motorised surface. Pre: approach is not 0.
 inline double driven_restitution(double restitution, double surface, double approach) {
     return std::max(restitution, driven_lift * surface / approach);

@@ -163,16 +163,8 @@ bool has_passed(const World& before, const World& after) {
             if (!kind_meets_material(after, after.balls().kind[i],
                                      after.capsules().material[*index]))
                 continue;
-            const Vec2 from = before.balls().position[i];
-            const Vec2 to = after.balls().position[i];
-            const double first = cross(was.end - was.start, from - was.start);
-            const double last = cross(is.end - is.start, to - is.start);
-            if (!(first * last < 0.0)) continue;
-            const auto is_beside = [](const Capsule& edge, Vec2 place) {
-                const double at = closest_parameter(edge.start, edge.end, place);
-                return at > 0.0 && at < 1.0;
-            };
-            if (is_beside(was, from) && is_beside(is, to)) return true;
+            if (has_crossed(was, is, before.balls().position[i], after.balls().position[i]))
+                return true;
         }
     }
     return false;

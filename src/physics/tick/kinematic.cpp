@@ -49,6 +49,17 @@ Vec2 surface_velocity(const HeldEdge& edge, const Capsule& shape, Vec2 point) {
     return (edge.start_velocity + (edge.end_velocity - edge.start_velocity) * place) * edge.share;
 }
 
+bool has_crossed(const Capsule& was, const Capsule& is, Vec2 from, Vec2 to) {
+    const double first = cross(was.end - was.start, from - was.start);
+    const double last = cross(is.end - is.start, to - is.start);
+    if (!(first * last < 0.0)) return false;
+    const auto is_beside = [](const Capsule& edge, Vec2 place) {
+        const double at = closest_parameter(edge.start, edge.end, place);
+        return at > 0.0 && at < 1.0;
+    };
+    return is_beside(was, from) && is_beside(is, to);
+}
+
 Vec2 displacement_to_target(const World& world, const HeldBall& held, Vec2 position) {
     const Vec2 to_target = held.target - position;
     return world.model().wrap ? nearest_image(to_target, size(*world.model().wrap)) : to_target;

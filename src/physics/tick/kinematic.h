@@ -7,9 +7,9 @@
 #include "geometry/shapes.h"
 #include "physics/world/world.h"
 
-/// Kinematic bodies within a tick: the balls and edges that a player holds, and flippers. They move
-/// to their targets whatever the forces. A solver slows one with `share` and stops it with
-/// `stopped_at`.
+/// Kinematic bodies within a tick: the balls and edges that a player holds, flippers and movers.
+/// They move to their targets whatever the forces. A solver slows one with `share` and stops it
+/// with `stopped_at`.
 namespace carom {
 
 /// An edge that a player holds or a solenoid drives, as it moves in one substep.
@@ -50,6 +50,10 @@ Capsule shape_at(const HeldEdge& edge, const World& world, double now);
 /// Velocity of the edge at the point of its spine nearest to `point`, length/s; 0 once it has
 /// stopped. `shape` is the edge at that time.
 Vec2 surface_velocity(const HeldEdge& edge, const Capsule& shape, Vec2 point);
+
+/// Whether a ball that went from `from` to `to`, while an edge went from `was` to `is`, has changed
+/// sides: it was beside the spine, and is on its other side.
+bool has_crossed(const Capsule& was, const Capsule& is, Vec2 from, Vec2 to);
 
 /// Displacement of a held ball at `position` to its target; on a torus the shortest.
 Vec2 displacement_to_target(const World& world, const HeldBall& held, Vec2 position);

@@ -10,7 +10,8 @@ void TickUndo::note(const World& world) {
     held_balls_ = world.held_balls();
     held_capsules_ = world.held_capsules();
     hands_ = world.hands();
-    moves_edges_ = !world.held_capsules().empty() || !world.flippers().empty();
+    moves_edges_ =
+        !world.held_capsules().empty() || !world.flippers().empty() || !world.movers().empty();
     if (moves_edges_) shapes_ = world.capsules().shape;
 }
 

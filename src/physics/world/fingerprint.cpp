@@ -37,6 +37,15 @@ void add_hands(Hash& hash, const Hands& hands) {
     hash.add(hands.overlap);
 }
 
+// Nothing without movers: recordings from before them keep their marks.
+void add_movers(Hash& hash, const World& world) {
+    for (const Mover& mover : world.movers()) {
+        hash.add(mover.clock);
+        hash.add(mover.share);
+        hash.add(mover.runs);
+    }
+}
+
 void add_kinematic_bodies(Hash& hash, const World& world) {
     for (const Flipper& flipper : world.flippers()) {
         hash.add(flipper.capsule);
@@ -58,6 +67,7 @@ void add_kinematic_bodies(Hash& hash, const World& world) {
         hash.add(held.is_driven);
     }
     add_hands(hash, world.hands());
+    add_movers(hash, world);
 }
 
 std::uint64_t fingerprint_2(const World& world) {

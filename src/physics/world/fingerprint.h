@@ -21,7 +21,8 @@ namespace carom {
 inline constexpr int fingerprint_version = 2;
 
 /// A 64-bit hash of the state that ticks and commands change: the number of the tick, bodies,
-/// kinematic targets, hands, flippers, emitters, counters of sinks, gravity, and solver memory.
+/// kinematic targets, hands, flippers, movers, emitters, counters of sinks, gravity, and solver
+/// memory.
 ///
 /// It leaves out what a level fixes for good (kinds, materials, the rest of the model); the next
 /// ids, the list of removed balls and the counts of collisions; stamps; and the flags that edits

@@ -49,7 +49,7 @@ Vec2 flipper_end(const Flipper& flipper, Vec2 pivot, double progress);
 void drive_flippers(World& world);
 
 /// Ends a tick: reads from the edges how far the flippers have turned. A flipper that was stopped
-/// continues from there, from rest.
+/// continues from there, from rest. Then no edge is driven any more, by a flipper or a mover.
 void rest_flippers(World& world);
 
 /// Stalls all flippers between rest and up. Called at the end of a tick in which time stood still

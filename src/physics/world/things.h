@@ -81,7 +81,7 @@ struct HeldCapsule {
     CapsuleId id{};
     Vec2 start_target;
     Vec2 end_target;
-    /// Motorised: it throws what it meets, as a moving wall does.
+    /// Motorised, by a flipper or a mover: it throws what it meets, as a moving wall does.
     bool is_driven = false;
 };
 

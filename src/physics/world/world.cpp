@@ -21,6 +21,13 @@ std::size_t bytes_in(const Vector& values) {
     return values.capacity() * sizeof(values[0]);
 }
 
+std::size_t bytes_of_edges(const std::vector<Mover>& movers) {
+    std::size_t bytes = 0;
+    for (const Mover& mover : movers)
+        bytes += bytes_in(mover.edges) + bytes_in(mover.path);
+    return bytes;
+}
+
 void become_one_way(World& world) {
     if (world.model().one_way) return;
     world.edit_definition().model.one_way = true;
@@ -70,9 +77,9 @@ std::size_t World::bytes() const {
     return sizeof(World) + bytes_in_columns(balls_) + bytes_in_columns(capsules_) +
            bytes_in(definition_.kinds) + bytes_in(definition_.materials) +
            bytes_in(definition_.meets) + bytes_in(definition_.zones) + bytes_in(emitters_) +
-           bytes_in(flippers_) + bytes_in(held_balls_) + bytes_in(held_capsules_) +
-           bytes_in(hands_.each) + bytes_in(ledger_.counters) + bytes_in(ledger_.removed) +
-           memory_.bytes();
+           bytes_in(flippers_) + bytes_in(movers_) + bytes_of_edges(movers_) +
+           bytes_in(held_balls_) + bytes_in(held_capsules_) + bytes_in(hands_.each) +
+           bytes_in(ledger_.counters) + bytes_in(ledger_.removed) + memory_.bytes();
 }
 
 BallId add_ball(World& world, const BallSpec& spec) {
@@ -182,6 +189,8 @@ void remove_capsule(World& world, CapsuleId id) {
                   [id](const HeldCapsule& held) { return held.id == id; });
     std::erase_if(world.edit_flippers(),
                   [id](const Flipper& flipper) { return flipper.capsule == id; });
+    for (Mover& mover : world.edit_movers())
+        std::erase_if(mover.edges, [id](const MovedEdge& edge) { return edge.capsule == id; });
 }
 
 std::vector<std::uint64_t> census(const World& world) {

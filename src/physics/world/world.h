@@ -10,6 +10,7 @@
 #include "physics/world/flipper.h"
 #include "physics/world/ids.h"
 #include "physics/world/model.h"
+#include "physics/world/mover.h"
 #include "physics/world/solver_memory.h"
 #include "physics/world/stamp.h"
 #include "physics/world/things.h"
@@ -20,9 +21,9 @@
 namespace carom {
 
 /// Reading is free; every change goes through a function named edit_.... Those that are not inline
-/// give what they change a new stamp (stamp.h), on every call. The tick, emitters, flippers, ledger
-/// and ids have no stamp, since no solver prepares anything from them. Solvers, which write in
-/// every tick, have SolverAccess (solver_access.h).
+/// give what they change a new stamp (stamp.h), on every call. The tick, emitters, flippers,
+/// movers, ledger and ids have no stamp, since no solver prepares anything from them. Solvers,
+/// which write in every tick, have SolverAccess (solver_access.h).
 ///
 /// Invariants, which edits must keep:
 /// - rows of balls and capsules, and the lists of kinematic bodies, are in ascending order of id;
@@ -51,9 +52,11 @@ class World {
     const std::vector<Emitter>& emitters() const { return emitters_; }
     /// Each turns another capsule; ascending by it.
     const std::vector<Flipper>& flippers() const { return flippers_; }
+    const std::vector<Mover>& movers() const { return movers_; }  ///< each of other edges
     const std::vector<HeldBall>& held_balls() const { return held_balls_; }           ///< by id
     const std::vector<HeldCapsule>& held_capsules() const { return held_capsules_; }  ///< by id
-    const Hands& hands() const { return hands_; }  ///< of what is held, but for flippers
+    /// Of what is held, but for flippers and movers.
+    const Hands& hands() const { return hands_; }
 
     const std::vector<std::uint64_t>& counters() const { return ledger_.counters; }
     const std::vector<Removal>& removed() const { return ledger_.removed; }
@@ -73,6 +76,7 @@ class World {
     Capsules& edit_capsules();
     std::vector<Emitter>& edit_emitters() { return emitters_; }
     std::vector<Flipper>& edit_flippers() { return flippers_; }
+    std::vector<Mover>& edit_movers() { return movers_; }
     std::vector<HeldBall>& edit_held_balls();
     std::vector<HeldCapsule>& edit_held_capsules();
     Hands& edit_hands() { return hands_; }
@@ -93,6 +97,7 @@ class World {
     Capsules capsules_;
     std::vector<Emitter> emitters_;
     std::vector<Flipper> flippers_;
+    std::vector<Mover> movers_;
     std::vector<HeldBall> held_balls_;
     std::vector<HeldCapsule> held_capsules_;
     Hands hands_;

@@ -1,6 +1,7 @@
 #include "physics/event/impact/restitution.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/event/motion/tolerances.h"
 #include "physics/laws/contact_material.h"
@@ -75,8 +76,12 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
     const double speed = static_cast<double>(approach);
     const double surface = static_cast<double>(point.contact.surface);
     const double restitution = restitution_of_edge(world, point.other, std::max(0.0, speed));
-    if (point.is_motorised && approach > Real{})
-        return driven_restitution(restitution, surface, speed);
+    if (point.is_motorised && approach > Real{}) {
+        const Real pull = length(scene_.field.gravity) * balls_.radius(ball);
+        const double least =
+            std::sqrt(2.0 * driven_lift_height * static_cast<double>(pull)) / speed;
+        return std::max(driven_restitution(restitution, surface, speed), least);
+    }
     if (point.kind == EventKind::kinematic_edge && point.contact.surface > Real{}) {
         // Separates the ball fast enough for its next impact to be found (edge_impact.cpp). With
         // less rebound it would sink into the edge, the deeper the longer it is pushed.
