@@ -120,7 +120,9 @@ void Run::simulate() {
             solver_.tick(world_, [] { return InterruptGuard::signal() == 0; });
         cost += Clock::now() - before;
         if (outcome == TickOutcome::cancelled) break;
-        if (check_) breach_ = check_->note_tick(world_, outcome == TickOutcome::stood_still);
+        if (check_)
+            breach_ =
+                check_->note_tick(world_, outcome == TickOutcome::stood_still, solver_.contacts());
         update_game(input_.scene, world_, game_, solver_.contacts());
         note_tick(record_, input_.scene, world_, solver_.contacts());
         note_standing(record_, world_, solver_.standing().size());

@@ -33,8 +33,10 @@ Refusal unless_capsule(const World& world, CapsuleId id) {
 
 Refusal unless_movable(const World& world, CapsuleId id) {
     if (auto why = unless_capsule(world, id)) return why;
-    if (!std::ranges::count(world.flippers(), id, &Flipper::capsule)) return std::nullopt;
-    return "a flipper moves by its button alone";
+    if (std::ranges::count(world.flippers(), id, &Flipper::capsule))
+        return "a flipper moves by its button alone";
+    if (is_moved_by_mover(world, id)) return "this edge moves by itself";
+    return std::nullopt;
 }
 
 Refusal unless_finite(bool finite, std::string_view what) {

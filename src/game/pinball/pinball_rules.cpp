@@ -161,6 +161,10 @@ void PinballHost::act(const RuleAction& action, std::int64_t value, int depth) {
         case What::reset:
             set_lights(game_, action);
             break;
+        case What::start_motion:
+        case What::stop_motion:
+            game_.world.edit_movers()[action.index].runs = action.what == What::start_motion;
+            break;
         default:
             break;  // actions of other games, which the loader refuses
     }

@@ -54,6 +54,7 @@ class AmendmentWriter {
             text_ += "use gravity " + with_unit(*world_.model().gravity, "m/s2") + "\n";
         changed_balls();
         changed_edges();
+        changed_motions();
         added_edges();
         added_balls();
         return std::move(text_);
@@ -123,10 +124,21 @@ class AmendmentWriter {
                 text_ += fmt::format("remove {}\n", edge_name(before.id[i]));
                 continue;
             }
+            if (is_moved_by_mover(world_, before.id[i])) continue;
             const Capsule& shape = world_.capsules().shape[*now];
             if (!(shape.start == before.shape[i].start) || !(shape.end == before.shape[i].end))
                 text_ += fmt::format("move {} {} {}\n", edge_name(before.id[i]), place(shape.start),
                                      place(shape.end));
+        }
+    }
+
+    void changed_motions() {
+        for (std::size_t i = 0; i < world_.movers().size(); ++i) {
+            const Mover& before = scene_.world.movers()[i];
+            const Mover& now = world_.movers()[i];
+            if (now.clock == before.clock && now.runs == before.runs) continue;
+            text_ += fmt::format("move {} time={}{}\n", scene_.mover_names[i],
+                                 with_unit(now.clock, "s"), now.runs ? " runs" : " waits");
         }
     }
 
@@ -184,10 +196,10 @@ World edited_start(const Scene& scene, const World& world, std::span<const Timed
     const std::vector<CapsuleId> edges = start.capsules().id;
     for (const CapsuleId id : edges) {
         const auto now = index_of(world, id);
-        if (now)
-            start.edit_capsules().shape[*index_of(start, id)] = world.capsules().shape[*now];
-        else
+        if (!now)
             remove_capsule(start, id);
+        else if (!is_moved_by_mover(world, id))
+            start.edit_capsules().shape[*index_of(start, id)] = world.capsules().shape[*now];
     }
     const Capsules& now = world.capsules();
     for (std::size_t i = 0; i < now.size(); ++i)
@@ -208,6 +220,10 @@ bool has_same_bodies(const World& a, const World& b) {
     const Capsules& edges = a.capsules();
     if (balls.size() != b.balls().size() || edges.size() != b.capsules().size()) return false;
     if (!(a.model().gravity == b.model().gravity)) return false;
+    const auto is_alike = [](const Mover& one, const Mover& other) {
+        return one.clock == other.clock && one.runs == other.runs;
+    };
+    if (!std::ranges::equal(a.movers(), b.movers(), is_alike)) return false;
     for (std::size_t i = 0; i < balls.size(); ++i)
         if (!(balls.position[i] == b.balls().position[i]) ||
             !(balls.velocity[i] == b.balls().velocity[i]) ||

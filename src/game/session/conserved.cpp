@@ -10,7 +10,8 @@ bool is_closed(const World& world) {
         world.emitters(), [](const Emitter& emitter) { return emitter.emitted < emitter.count; });
     const bool is_drained = std::ranges::any_of(
         world.zones(), [](const Zone& zone) { return zone.effect == Zone::Effect::sink; });
-    return !is_fed && !is_drained && world.held_balls().empty() && world.held_capsules().empty();
+    return !is_fed && !is_drained && world.held_balls().empty() && world.held_capsules().empty() &&
+           world.movers().empty();
 }
 
 bool is_without_loss(const Model& model) {

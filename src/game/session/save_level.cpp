@@ -26,11 +26,13 @@ constexpr std::size_t points_a_line = 6;
 // the names of kinds and materials.
 class LevelWriter {
   public:
-    LevelWriter(const Scene& scene, const World& world)
+    /// `world` has the edges of movers at home, where the level is to write them.
+    LevelWriter(const Scene& scene, const World& world, bool has_overlap)
         : scene_(scene),
           dress_(scene.dress),
           world_(world),
-          has_units_(scene.unit != LengthUnit::natural) {}
+          has_units_(scene.unit != LengthUnit::natural),
+          has_overlap_(has_overlap) {}
 
     std::string write() {
         name_classes();
@@ -38,6 +40,7 @@ class LevelWriter {
         model();
         classes();
         edges();
+        motions();
         zones();
         balls();
         cue();
@@ -93,7 +96,7 @@ class LevelWriter {
                  with_unit(model.cloth->gravity, "m/s2"));
         if (model.modulus) line("use modulus {} poisson=0", with_unit(*model.modulus, "Pa"));
         if (model.wrap) line("use wrap");
-        if (deepest_overlap(world_) > 0.0) line("use overlap");
+        if (has_overlap_) line("use overlap");
     }
 
     // "ball" and "edge" may name the kind and the material of unnamed bodies. They read back
@@ -235,6 +238,40 @@ class LevelWriter {
         text_ += closes ? " close\n" : "\n";
     }
 
+    void motions() {
+        for (std::size_t i = 0; i < world_.movers().size(); ++i)
+            if (!world_.movers()[i].edges.empty()) motion(world_.movers()[i], i);
+    }
+
+    // A mover that turns once in a round turns by 2 pi; one that swings, by any angle.
+    void motion(const Mover& mover, std::size_t number_of) {
+        std::vector<std::string_view> names{scene_.mover_names[number_of]};
+        for (const MovedEdge& edge : mover.edges)
+            if (!std::ranges::count(names, group_of(edge.capsule)))
+                names.push_back(group_of(edge.capsule));
+        const bool turns = mover.path.empty();
+        const bool slides = !mover.is_round && mover.path.size() == 2;
+        text_ += fmt::format("motion {} {}",
+                             turns && mover.is_round ? "turn"
+                             : turns                 ? "swing"
+                             : slides                ? "slide"
+                                                     : "path",
+                             fmt::join(names, " "));
+        if (turns) text_ += " about=" + place(mover.pivot);
+        if (turns && !mover.is_round) text_ += " by=" + with_unit(degrees_of(mover.angle), "deg");
+        if (slides) text_ += " by=" + place(mover.path.back());
+        if (!turns && !slides)
+            for (std::size_t p = 0; p < mover.path.size() - (mover.is_round ? 1 : 0); ++p)
+                text_ += " " + place(mover.path[p]);
+        text_ += " every=" + with_unit(mover.period, "s");
+        if (turns && mover.is_round && mover.angle < 0.0) text_ += " clockwise";
+        if (!turns && !slides && mover.is_round) text_ += " close";
+        if (mover.is_steady) text_ += " steady";
+        if (mover.stops > 0) text_ += fmt::format(" stops={}", mover.stops);
+        if (mover.clock > 0.0) text_ += " time=" + with_unit(mover.clock, "s");
+        text_ += mover.runs ? "\n" : " waits\n";
+    }
+
     // In the order of their counters, which the loader keeps.
     void zones() {
         for (std::size_t i = 0; i < world_.zones().size(); ++i) {
@@ -348,6 +385,7 @@ class LevelWriter {
     const Dress& dress_;
     const World& world_;
     bool has_units_;
+    bool has_overlap_;
     std::vector<std::string> kinds_;
     std::vector<std::string> materials_;
     std::string text_;
@@ -356,7 +394,14 @@ class LevelWriter {
 }  // namespace
 
 std::string level_text(const Scene& scene, const World& world) {
-    return LevelWriter(scene, world).write();
+    const bool has_overlap = deepest_overlap(world) > 0.0;
+    if (world.movers().empty()) return LevelWriter(scene, world, has_overlap).write();
+    World at_home = world;
+    for (const Mover& mover : world.movers())
+        for (const MovedEdge& edge : mover.edges)
+            if (const auto index = index_of(world, edge.capsule))
+                at_home.edit_capsules().shape[*index] = edge.home;
+    return LevelWriter(scene, at_home, has_overlap).write();
 }
 
 }  // namespace carom

@@ -138,6 +138,10 @@ void ShotsPlay::act(const RuleAction& action, std::int64_t value, int) {
             state.is_in_hand = true;
             state.hand_place = action.place;
             break;
+        case What::start_motion:
+        case What::stop_motion:
+            world.edit_movers()[action.index].runs = action.what == What::start_motion;
+            break;
         default:
             break;  // actions of other games, which the loader refuses
     }

@@ -28,7 +28,7 @@ bool is_known_to_the_oracle(const World& world) {
         m.wrap || m.one_way || m.kicks || m.filtered || !m.ball_ball || !m.ball_edge)
         return false;
     if (!world.emitters().empty() || !world.zones().empty() || !world.flippers().empty() ||
-        !world.held_balls().empty() || !world.held_capsules().empty())
+        !world.movers().empty() || !world.held_balls().empty() || !world.held_capsules().empty())
         return false;
     return std::ranges::all_of(world.materials(),
                                [](const Material& material) { return material.soften == 0.0; });

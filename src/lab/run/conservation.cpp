@@ -23,7 +23,7 @@ bool may_gain_energy(const World& world) {
     const bool has_sink = std::ranges::any_of(
         world.zones(), [](const Zone& zone) { return zone.effect == Zone::Effect::sink; });
     return !world.emitters().empty() || !world.held_balls().empty() ||
-           !world.held_capsules().empty() ||
+           !world.held_capsules().empty() || !world.movers().empty() ||
            (world.model().gravity && (world.model().wrap || has_sink));
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "lab/run/escape.h"
 #include "level/scene/scene.h"
 #include "physics/tick/solver_settings.h"
+#include "physics/world/contact.h"
 #include "physics/world/world.h"
 
 /// Invariants that must hold after every tick, whatever the scene. They are measured from
@@ -58,7 +60,9 @@ std::string text(const Breach& breach, double rate);
 ///   energy    kinetic plus potential energy has not grown beyond its value at the start. Where
 ///             something may add energy (hands, flippers, kicking edges, gravity on a torus, the
 ///             ramps of pinball), a gain is allowed; so is any change when balls come or go. What
-///             `contact` gives in a hybrid step of `event` stays given
+///             `contact` gives in a hybrid step of `event` stays given. Movers may add the work
+///             that they do in the contacts of the tick, and no more; where `contact` steps, which
+///             does not report all of its contacts, they may add anything
 ///   side      the centre of no ball has crossed the spine of a fixed edge that is solid on both
 ///             sides, unless it can have gone round an end: the chord of the tick is tested, and
 ///             the way round an end compared with twice the ball's speed
@@ -82,13 +86,16 @@ class InvariantCheck {
     /// tick.
     void note_start(const World& world);
     /// Pre: called after every tick. The first breach in the order of the list; none: all hold.
-    std::optional<Breach> note_tick(const World& world, bool stood_still);
+    /// `contacts`: those of the tick; only movers need them.
+    std::optional<Breach> note_tick(const World& world, bool stood_still,
+                                    std::span<const Contact> contacts = {});
 
   private:
     using Pair = std::pair<std::uint64_t, std::uint64_t>;
 
     std::optional<Breach> check_finite(const World& world) const;
-    std::optional<Breach> check_energy(const World& world);
+    std::optional<Breach> check_energy(const World& world, std::span<const Contact> contacts);
+    double most_work_of_movers(const World& world, std::span<const Contact> contacts) const;
     std::optional<Breach> check_sides(const World& world) const;
     std::optional<Breach> check_overlap(const World& world);
     std::optional<Breach> check_time(const World& world, bool stood_still) const;
@@ -104,6 +111,8 @@ class InvariantCheck {
     EscapeWatch escape_;
     std::size_t escaped_ = 0;
     std::vector<std::pair<CapsuleId, Capsule>> outlines_;  // as they were at the start
+    std::vector<std::pair<CapsuleId, Capsule>> moved_;     // edges of movers, before the tick
+    bool reports_impulses_ = true;                         // the solver does, of all contacts
     Stamps stamps_;                                        // after the last tick
     double energy_ = 0.0;                                  // after the last tick
     std::uint64_t tick_ = 0;

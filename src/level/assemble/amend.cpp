@@ -15,7 +15,7 @@ class Amending {
     Amended run() {
         is_edge_removed_.assign(capsules_.size(), false);
         for (const AmendmentIr& amendment : context_.ir.amendments)
-            apply(amendment);
+            if (!amendment.is_of_motion()) apply(amendment);
         remove_edges();
         return std::move(result_);
     }

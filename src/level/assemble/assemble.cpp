@@ -12,6 +12,7 @@
 #include "level/assemble/dress_assembly.h"
 #include "level/assemble/fill.h"
 #include "level/assemble/mirror_duplicates.h"
+#include "level/assemble/motion_assembly.h"
 #include "level/assemble/pinball_assembly.h"
 #include "level/assemble/pool_assembly.h"
 #include "level/assemble/resolve_names.h"
@@ -36,7 +37,10 @@ class Assembly {
         collect_balls();
         SymbolTable symbols(ir_, names_, context_);
         symbols.name_balls(balls_);
+        MotionAssembly motions(names_, context_);
+        motions.check_names();
         amended_ = amend(balls_, symbols, context_);
+        motions.place_edges(rate());
         check_start(present_balls(), names_, context_);
         check_precision(balls_, rate(), context_);
         PinballAssembly table(names_, context_);
@@ -52,6 +56,7 @@ class Assembly {
         }
         make_world();
         symbols.fill_in(scene_);
+        motions.fill_in(scene_);
         fill_in_pool(balls_, symbols.world_zones(), scene_, context_);
         table.fill_in(scene_, symbols.world_zones());
         fill_in_dress(balls_, names_, symbols.world_zones(), scene_, context_);

@@ -57,7 +57,7 @@ class Joiner {
     void find_ends() {
         for (std::uint32_t i = 0; i < ir_.capsules.size(); ++i) {
             const Capsule& edge = world_.capsules().shape[i];
-            if (edge.start == edge.end) continue;
+            if (edge.start == edge.end || ir_.capsules[i].is_moved) continue;
             ends_.push_back({edge.start, i, 0});
             ends_.push_back({edge.end, i, 1});
         }

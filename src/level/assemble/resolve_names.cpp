@@ -6,7 +6,6 @@
 #include <set>
 
 #include "geometry/elementary.h"
-#include "level/assemble/class_names.h"
 #include "level/assemble/collision_matrix.h"
 #include "level/text/spelling.h"
 

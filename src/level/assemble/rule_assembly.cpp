@@ -252,6 +252,7 @@ void RuleAssembly::check() {
         book_.goals.push_back(spec.goal);
     }
     check_symbols();
+    check_motions();
     if (context_.reporter.has_errors()) return;
     check_game();
     check_events();

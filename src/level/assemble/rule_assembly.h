@@ -56,10 +56,12 @@ class RuleAssembly {
 
     // rule_checks.cpp: warnings
     void check_symbols();
+    void check_motions();
     void check_game();
     void check_devices();
     void check_events();
     bool has_action(std::initializer_list<RuleAction::What> wanted) const;
+    bool has_action(RuleAction::What wanted, std::uint32_t index) const;
     bool has_pockets() const;
 
     /// Before the world exists: balls and zones by their indices in the IR.

@@ -15,6 +15,14 @@ bool RuleAssembly::has_action(std::initializer_list<RuleAction::What> wanted) co
     });
 }
 
+bool RuleAssembly::has_action(RuleAction::What wanted, std::uint32_t index) const {
+    return std::ranges::any_of(book_.rules, [&](const Rule& rule) {
+        return std::ranges::any_of(rule.actions, [&](const RuleAction& action) {
+            return action.what == wanted && action.index == index;
+        });
+    });
+}
+
 bool RuleAssembly::has_pockets() const {
     return std::ranges::any_of(ir_.zones, [](const ZoneIr& zone) {
         return zone.is_pocket || zone.zone.effect == Zone::Effect::sink;
@@ -24,11 +32,7 @@ bool RuleAssembly::has_pockets() const {
 // Variables that nothing reads, timers that nothing starts or waits for.
 void RuleAssembly::check_symbols() {
     const auto starts = [&](std::uint32_t timer) {
-        return std::ranges::any_of(book_.rules, [&](const Rule& rule) {
-            return std::ranges::any_of(rule.actions, [&](const RuleAction& action) {
-                return action.what == RuleAction::What::start && action.index == timer;
-            });
-        });
+        return has_action(RuleAction::What::start, timer);
     };
     const auto is_awaited = [&](std::uint32_t timer) {
         return std::ranges::any_of(book_.rules, [&](const Rule& rule) {
@@ -58,6 +62,18 @@ void RuleAssembly::check_symbols() {
             context_.reporter.warning("variable-unread", at,
                                       fmt::format("nothing waits for the timer '{}'", name),
                                       fmt::format("add a rule: on {} ends ...", name));
+    }
+}
+
+// Motions that wait, and that nothing starts.
+void RuleAssembly::check_motions() {
+    if (context_.reporter.has_errors()) return;
+    for (std::uint32_t i = 0; i < ir_.motions.size(); ++i) {
+        const Word& name = ir_.motions[i].names.front();
+        if (ir_.motions[i].waits && !has_action(RuleAction::What::start_motion, i))
+            context_.reporter.warning("motion-never-starts", name.span(),
+                                      fmt::format("nothing starts the motion '{}'", name.text),
+                                      fmt::format("add an action: start {}", name.text));
     }
 }
 

@@ -73,6 +73,7 @@ struct CapsuleIr {
     Origin origin;
     int device = -1;  ///< index into LevelIr::devices; -1: none
     Side side = Side::both;
+    bool is_moved = false;  ///< by a motion
 };
 
 struct ChainIr {
@@ -200,6 +201,20 @@ struct AmendmentIr {
     std::optional<double> spin{};
     std::optional<Vec2> roll{};
     std::vector<Vec2> ends{};  ///< of an edge: one place, for a peg, or both ends
+    // Of a motion; none: unchanged.
+    std::optional<double> clock{};  ///< s
+    std::optional<bool> runs{};
+    bool is_of_motion() const { return clock || runs; }
+};
+
+/// A motion, and the edges that it moves, by name. The mover has no edges yet.
+struct MotionIr {
+    std::vector<Word> names;  ///< the first is that of the motion
+    Mover mover;
+    Span at;
+    Span every_at;
+    Span time_at;
+    bool waits = false;  ///< from the start
 };
 
 struct CollideIr {
@@ -289,6 +304,7 @@ struct LevelIr {
     std::map<std::string, RuleSymbolIr, std::less<>> rule_symbols;  ///< variables and timers
     std::vector<CollideIr> collides;
     std::vector<AmendmentIr> amendments;
+    std::vector<MotionIr> motions;
     std::vector<SpinNeed> spin_needs;
     std::optional<Span> needs_cloth;  ///< the first value that needs `use cloth`
     std::vector<ShowIr> shows;

@@ -147,10 +147,12 @@ struct RuleText {
 
 struct RuleAction {
     enum class What : std::uint8_t {
-        score,       ///< adds `value` to the score
-        set,         ///< adds `value` to the variable `index`, or sets it
-        start,       ///< the timer `index` runs for `seconds`
-        stop,        ///< the timer `index` stops, without an event
+        score,         ///< adds `value` to the score
+        set,           ///< adds `value` to the variable `index`, or sets it
+        start,         ///< the timer `index` runs for `seconds`
+        stop,          ///< the timer `index` stops, without an event
+        start_motion,  ///< the mover `index` runs
+        stop_motion,
         message,     ///< shows `text`
         foul,        ///< counts a foul, and shows `text`
         win,         ///< the game ends, and the player wins

@@ -100,6 +100,7 @@ struct Scene {
     std::vector<std::string> kind_names;      ///< by World::kinds
     std::vector<std::string> material_names;  ///< by World::materials
     std::vector<std::string> zone_names;      ///< by World::zones
+    std::vector<std::string> mover_names;     ///< by World::movers
     std::vector<std::string> counter_names;   ///< by World::counters
     std::vector<Group> groups;
     /// The capsules of each closed edge and box, in order. A ball outside the outline in which it

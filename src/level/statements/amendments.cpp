@@ -36,6 +36,16 @@ void build_move(const Arguments& arguments, const Frame&, Context& context) {
     amendment->roll = pair("roll");
     amendment->spin = arguments.number("w");
     amendment->ends = arguments.points;
+    amendment->clock = arguments.number("time");
+    if (arguments.flag("runs") || arguments.flag("waits")) amendment->runs = arguments.flag("runs");
+    const bool is_of_body = amendment->position || amendment->velocity || amendment->roll ||
+                            amendment->spin || !amendment->ends.empty();
+    if (amendment->is_of_motion() && (is_of_body || !amendment->name)) {
+        context.reporter.error("amends-otherwise", amendment->span,
+                               "a motion has a name, and time=, runs or waits",
+                               "write such as: move blades time=1.5s");
+        return;
+    }
     context.ir.amendments.push_back(std::move(*amendment));
 }
 
@@ -54,7 +64,8 @@ std::vector<Statement> amendment_statements() {
     const KeyRule edge{"edge", scalar, Measure::whole, Bound::not_negative};
     return {
         {.name = "move",
-         .usage = "move [NAME] [ball=N] [edge=N] [X,Y [X,Y]] [at=X,Y] [v=VX,VY] [w=] [roll=VX,VY]",
+         .usage = "move [NAME] [ball=N] [edge=N] [X,Y [X,Y]] [at=X,Y] [v=VX,VY] [w=] [roll=VX,VY] "
+                  "[time=TIME] [runs] [waits]",
          .action = build_move,
          .place = Place::top,
          .plain_most = 1,
@@ -64,7 +75,9 @@ std::vector<Statement> amendment_statements() {
                   {"at", pair, Measure::length},
                   {"v", pair, Measure::speed},
                   {.name = "w", .measure = Measure::angular_speed, .needs_spin = true},
-                  {"roll", pair, Measure::speed}}},
+                  {"roll", pair, Measure::speed},
+                  {"time", scalar, Measure::time, Bound::not_negative}},
+         .flags = {"runs", "waits"}},
         {.name = "remove",
          .usage = "remove [NAME] [ball=N] [edge=N]",
          .action = build_remove,

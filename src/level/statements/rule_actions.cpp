@@ -64,6 +64,8 @@ constexpr ActionShape shapes[] = {
 constexpr ActionShape of_variable{"a variable", What::set, Takes::sum, both, "VARIABLE +1"};
 
 const ActionShape& shape_of(What what) {
+    if (what == What::start_motion) what = What::start;
+    if (what == What::stop_motion) what = What::stop;
     const auto found = std::ranges::find(shapes, what, &ActionShape::what);
     return found == std::end(shapes) ? of_variable : *found;
 }
@@ -114,7 +116,7 @@ class ActionReader {
             case Takes::timer:
             case Takes::timer_and_maybe_time:
                 if (!read_timer(words[1], action)) return false;
-                return words.size() < 3 || read_time(words[2], action);
+                return words.size() < 3 || read_duration(words[2], action);
             case Takes::balls_and_maybe_place:
                 action.index = reader_.name(words[1], Role::balls);
                 if (words.size() == 3) read_place(words[2], action);
@@ -142,17 +144,35 @@ class ActionReader {
         return time.has_value();
     }
 
+    // A timer or a motion.
     bool read_timer(const Word& word, RuleAction& action) {
         const auto found = context_.ir.rule_symbols.find(word.text);
-        if (found == context_.ir.rule_symbols.end() || !found->second.is_timer) {
-            context_.reporter.error("unknown-timer", word.span(),
-                                    fmt::format("there is no timer '{}'", word.text),
-                                    fmt::format("add a line above: timer {} 20s", word.text));
-            return false;
+        if (found != context_.ir.rule_symbols.end() && found->second.is_timer) {
+            action.index = found->second.index;
+            action.seconds = context_.ir.timers[action.index].seconds;
+            return true;
         }
-        action.index = found->second.index;
-        action.seconds = context_.ir.timers[action.index].seconds;
-        return true;
+        const std::vector<MotionIr>& motions = context_.ir.motions;
+        const auto motion = std::ranges::find_if(
+            motions, [&](const MotionIr& each) { return each.names.front().text == word.text; });
+        if (motion != motions.end()) {
+            action.what = shape_.what == What::start ? What::start_motion : What::stop_motion;
+            action.index = static_cast<std::uint32_t>(motion - motions.begin());
+            return true;
+        }
+        if (std::ranges::count(context_.ir.error_names, word.text) > 0) return false;
+        context_.reporter.error("unknown-timer", word.span(),
+                                fmt::format("there is no timer or motion '{}'", word.text),
+                                fmt::format("add a line above: timer {} 20s", word.text));
+        return false;
+    }
+
+    bool read_duration(const Word& word, RuleAction& action) {
+        if (action.what != What::start_motion) return read_time(word, action);
+        context_.reporter.error("action-malformed", word.span(),
+                                fmt::format("'{}' is not expected here", word.text),
+                                "a motion runs until it stops: write start NAME");
+        return false;
     }
 
     // +N and -N add to a variable, N sets it; of bonus and multiplier, only +N adds.

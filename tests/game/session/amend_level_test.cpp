@@ -137,3 +137,57 @@ TEST_CASE("the edited start has the balls of the start and the edges of now") {
     CHECK(start.capsules().shape[0].start == Vec2{40.0, 0.0});
     check_kept(scene, start);
 }
+
+TEST_CASE("a level with motions keeps them, and its edges go on with the same bits") {
+    const Scene scene = loaded(R"(carom 1 "Mill"
+units mm
+use gravity 0,-9.81m/s2
+kind bead r=5
+material wood e=0.5
+box wood room -200,-200 200,200 r=2
+edge wood blades r=2 0,0 60,0
+edge wood blades r=2 0,0 -60,0
+edge wood lift r=2 -190,-150 -100,-150
+ball a kind=bead at=-40,100 v=0.1m/s,0
+motion turn blades about=0,0 every=1.7s clockwise time=0.3s
+motion slide lift by=0,100 every=2s stops=2
+)");
+    for (const int ticks : {0, 100, 300}) {
+        CAPTURE(ticks);
+        Session session = played(scene, ticks);
+        const AmendedLevel amended = amended_level(scene, session.world());
+        REQUIRE(amended.text);
+        CAPTURE(*amended.text);
+        const std::string whole = level_text(scene, session.world());
+        CAPTURE(whole);
+        CHECK((ticks == 0) == (*amended.text == scene.texts.front()));
+        World world = session.world();
+        const SolverSettings settings = session.solver();
+        for (int tick = 0; tick < 200; ++tick)
+            Solver(settings).tick(world);
+        for (const std::string& text : {*amended.text, whole}) {
+            const Scene again = loaded(text);
+            CHECK(has_same_bodies(again.world, session.world()));
+            World copy = again.world;
+            for (int tick = 0; tick < 200; ++tick)
+                Solver(settings).tick(copy);
+            // A ball's times of impact are those of another clock, so its last bits may differ.
+            for (std::size_t i = 0; i < 2; ++i) {
+                CHECK(copy.movers()[i].clock == world.movers()[i].clock);
+                CHECK(copy.movers()[i].runs == world.movers()[i].runs);
+            }
+            CHECK(copy.capsules().shape == world.capsules().shape);
+            CHECK(length(copy.balls().position[0] - world.balls().position[0]) < 1e-6);
+        }
+    }
+}
+
+TEST_CASE("an edited start has motions at their start") {
+    const Scene scene = loaded(
+        "carom 1 \"Lift\"\nball a at=0,9\nedge name=lift 0,0 5,0\n"
+        "motion slide lift by=0,4 every=3\n");
+    const Session session = played(scene, 50);
+    const World start = edited_start(scene, session.world(), {});
+    CHECK(has_same_bodies(start, scene.world));
+    CHECK_FALSE(has_same_bodies(session.world(), scene.world));
+}

@@ -241,3 +241,29 @@ TEST_CASE("three-cushion: shots score as their contacts say, and say why not") {
     CHECK(points > 0);
     CHECK(misses > points);
 }
+
+TEST_CASE("shots: rules start and stop motions, and undo takes that back") {
+    Game game(R"(edge rubber gate r=5 1200,300 1200,400
+edge rubber door r=5 1100,20 1100,60
+motion slide gate by=0,200 every=1s stops=2 waits
+motion swing door about=1100,20 by=80deg every=1s
+game shots
+on shot begins  start gate, stop door
+on shot ends    start door
+on cue pocketed  end
+)");
+    const auto movers = [&] { return game.session.world().movers(); };
+    CHECK_FALSE(movers()[0].runs);
+    CHECK(movers()[1].runs);
+    const World before = game.session.world();
+    game.shoot_softly();
+    // The shot takes longer than the half second to the gate's first stop.
+    CHECK(movers()[0].clock == 0.5);
+    CHECK_FALSE(movers()[0].runs);
+    CHECK(movers()[1].runs);
+    CHECK(movers()[1].clock < 0.2);
+    REQUIRE(game.session.undo());
+    while (game.session.world().tick() > before.tick())
+        REQUIRE(game.session.step_back());
+    CHECK(movers() == before.movers());
+}

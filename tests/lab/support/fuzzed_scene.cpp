@@ -53,7 +53,7 @@ CheckedRun check_run(const FuzzedScene& fuzzed, SolverKind kind) {
         check.note_start(world);
         const TickOutcome outcome = solver.tick(world);
         run.stood_still = run.stood_still || outcome == TickOutcome::stood_still;
-        run.breach = check.note_tick(world, outcome == TickOutcome::stood_still);
+        run.breach = check.note_tick(world, outcome == TickOutcome::stood_still, solver.contacts());
         update_game(scene, world, game, solver.contacts());
         ++run.ticks;
     }

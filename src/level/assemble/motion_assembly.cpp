@@ -1,0 +1,127 @@
+#include "level/assemble/motion_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "level/text/spelling.h"
+
+namespace carom {
+namespace {
+
+// Within a tick an edge goes straight, so a round must take many of them.
+constexpr double least_ticks = 12.0;
+
+}  // namespace
+
+void MotionAssembly::check_names() {
+    for (const MotionIr& motion : ir_.motions)
+        for (const Word& name : motion.names)
+            check_name(name);
+}
+
+void MotionAssembly::check_name(const Word& name) {
+    std::vector<std::string_view> known;
+    for (const CapsuleIr& edge : ir_.capsules) {
+        const std::string& called = names_.edges[static_cast<std::size_t>(edge.binding)].name;
+        if (called == name.text) return;
+        if (!called.empty() && (known.empty() || known.back() != called)) known.push_back(called);
+    }
+    if (std::ranges::count(ir_.error_names, name.text) > 0) return;
+    context_.reporter.error(
+        "motion-of-nothing", name.span(), fmt::format("there is no edge '{}'", name.text),
+        did_you_mean(name.text, known, "give an edge this name: edge name=... X,Y X,Y"));
+}
+
+void MotionAssembly::place_edges(double rate) {
+    if (ir_.motions.empty() && ir_.amendments.empty()) return;
+    amend_clocks();
+    if (!ir_.motions.empty() && ir_.settings.wrap)
+        context_.reporter.error("motion-on-torus", ir_.motions.front().at,
+                                "on a torus no edges move by themselves", "leave use wrap out");
+    for (std::uint32_t i = 0; i < ir_.motions.size(); ++i) {
+        check_times(ir_.motions[i], rate);
+        for (const Word& name : ir_.motions[i].names)
+            place(i, name);
+    }
+    std::ranges::sort(moved_, {}, &Moved::edge);
+}
+
+// `move NAME time=` says how long a motion has run.
+void MotionAssembly::amend_clocks() {
+    for (const AmendmentIr& amendment : ir_.amendments) {
+        if (!amendment.is_of_motion()) continue;
+        const Span at = amendment.name ? amendment.name->span() : amendment.span;
+        const auto found = std::ranges::find_if(ir_.motions, [&](const MotionIr& motion) {
+            return amendment.name && motion.names.front().text == amendment.name->text;
+        });
+        if (found == ir_.motions.end()) {
+            context_.reporter.error("amends-nothing", at, "there is no such motion",
+                                    "write the first name of the motion");
+            continue;
+        }
+        if (amendment.clock) {
+            found->mover.clock = *amendment.clock;
+            found->time_at = at;
+        }
+        if (amendment.runs) found->mover.runs = *amendment.runs;
+    }
+}
+
+void MotionAssembly::check_times(const MotionIr& motion, double rate) {
+    const Mover& mover = motion.mover;
+    if (mover.period * rate < least_ticks)
+        context_.reporter.error(
+            "motion-too-fast", motion.every_at,
+            fmt::format("a round must take {:.6g} ticks or more, but takes {:.3g}", least_ticks,
+                        mover.period * rate),
+            fmt::format("write every={:.3g} or more, or a higher rate", least_ticks / rate));
+    if (mover.clock >= mover.period)
+        context_.reporter.error("motion-time-too-late", motion.time_at,
+                                fmt::format("time must be less than every, but is {:.6g} of {:.6g}",
+                                            mover.clock, mover.period),
+                                "write the time since the round began");
+}
+
+bool MotionAssembly::can_move(const CapsuleIr& edge, const Word& name) {
+    if (edge.device >= 0)
+        context_.reporter.error("motion-of-part", name.span(),
+                                fmt::format("'{}' is a part of a pinball table", name.text),
+                                "move edges, arcs, pegs and boxes");
+    else if (edge.side != Side::both)
+        context_.reporter.error("motion-of-one-way", name.span(),
+                                fmt::format("'{}' has a side, and so cannot move", name.text),
+                                "leave side= out");
+    else if (edge.is_moved)
+        context_.reporter.error("motion-twice", name.span(),
+                                fmt::format("'{}' is moved already", name.text),
+                                "name each edge in one motion");
+    else
+        return true;
+    return false;
+}
+
+void MotionAssembly::place(std::uint32_t number, const Word& name) {
+    const Mover& mover = ir_.motions[number].mover;
+    for (std::uint32_t i = 0; i < ir_.capsules.size(); ++i) {
+        CapsuleIr& edge = ir_.capsules[i];
+        if (names_.edges[static_cast<std::size_t>(edge.binding)].name != name.text) continue;
+        if (!can_move(edge, name)) return;
+        edge.is_moved = true;
+        moved_.push_back({number, i, edge.shape});
+        if (mover.clock < mover.period)
+            edge.shape = mover_shape(mover, {{}, edge.shape}, mover.clock);
+    }
+}
+
+void MotionAssembly::fill_in(Scene& scene) const {
+    for (const MotionIr& motion : ir_.motions) {
+        scene.world.edit_movers().push_back(motion.mover);
+        scene.mover_names.emplace_back(motion.names.front().text);
+    }
+    for (const Moved& moved : moved_)
+        scene.world.edit_movers()[moved.motion].edges.push_back(
+            {scene.world.capsules().id[moved.edge], moved.home});
+}
+
+}  // namespace carom
