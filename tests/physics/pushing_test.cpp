@@ -6,12 +6,14 @@
 #include "physics/support/pushes.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
+#include "support/sanitizers.h"
 
 // Hands that push rows, heaps and buckets together: nothing passes through anything, balls are not
 // thrown, no energy comes from nowhere, and a hand that cannot advance stands still until it can.
 // docs/accuracy.md has what 1,000 of these pushes give.
 
 using namespace carom;
+using carom::test::has_sanitizers;
 
 namespace {
 
@@ -182,13 +184,13 @@ TEST_CASE("a hand lifts a pile") {
 }
 
 TEST_CASE("swept: random pushes") {
-    check_pushes(of_swept, 0, 16);
+    check_pushes(of_swept, 0, has_sanitizers ? 4 : 16);
 }
 TEST_CASE("event: random pushes") {
-    check_pushes(of_event, 0, 16);
+    check_pushes(of_event, 0, has_sanitizers ? 4 : 16);
 }
 TEST_CASE("contact: random pushes") {
-    check_pushes(of_contact, 0, 40);
+    check_pushes(of_contact, 0, has_sanitizers ? 10 : 40);
 }
 
 TEST_SUITE("long") {

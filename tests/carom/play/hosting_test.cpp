@@ -13,6 +13,7 @@
 
 #include "carom/support/process.h"
 #include "support/sandbox.h"
+#include "support/sanitizers.h"
 #include "support/ssh_server.h"
 #include "support/terminal_program.h"
 
@@ -21,6 +22,7 @@
 // mount namespace of its own), which is gone with its last process.
 
 using carom::test::content;
+using carom::test::has_sanitizers;
 using carom::test::Sandbox;
 using carom::test::TemporaryFolder;
 using carom::test::TerminalProgram;
@@ -231,14 +233,7 @@ void try_to_get_out(const Client& client, const std::string& folder) {
 }  // namespace
 
 TEST_CASE("docs/hosting.md works as printed, and guests cannot leave their folders") {
-#if defined(__SANITIZE_ADDRESS__)
-    constexpr bool is_for_players = false;
-#elif defined(__has_feature)
-    constexpr bool is_for_players = !__has_feature(address_sanitizer);
-#else
-    constexpr bool is_for_players = true;
-#endif
-    if (!is_for_players) {
+    if (has_sanitizers) {
         MESSAGE("skipped: this build has sanitizers, and the page installs one for players");
         return;
     }
