@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <iterator>
 #include <string>
@@ -31,14 +32,19 @@ InputEvent event_of(InputEvent::Kind kind) {
 // Sends all bytes, however long that takes. Gives up when the terminal is gone or carom must exit.
 bool Screen::State::send(std::string_view bytes) {
     while (!bytes.empty() && !is_gone) {
-        const ssize_t written = write(STDOUT_FILENO, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) {
+        const ssize_t written = write(terminal.handle(), bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR && errno != EAGAIN) {
             hang_up();
             return false;
         }
         bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(0, written)));
         if (bytes.empty()) break;
-        // A signal interrupted the write. Handling it now could write into the middle of `bytes`.
+        // The terminal takes no more for now, or a signal has interrupted the write. A signal is in
+        // its pipe, also one that came before this wait.
+        std::array<pollfd, 2> sources{{{.fd = terminal.handle(), .events = POLLOUT, .revents = 0},
+                                       {.fd = signals.handle(), .events = POLLIN, .revents = 0}}};
+        poll(sources.data(), sources.size(), -1);
+        // Handling signals now could write into the middle of `bytes`.
         std::ranges::copy(signals.take(), std::back_inserter(deferred));
         if (std::ranges::any_of(deferred, ends_the_game)) return false;
     }

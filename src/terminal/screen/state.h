@@ -11,6 +11,7 @@
 #include "terminal/screen/curses_session.h"
 #include "terminal/screen/frame_differ.h"
 #include "terminal/screen/modes.h"
+#include "terminal/screen/output.h"
 #include "terminal/screen/screen.h"
 #include "terminal/screen/signals.h"
 
@@ -19,6 +20,7 @@ namespace carom {
 
 struct Screen::State {
     SignalPipe signals;  // before ncurses, which leaves signals alone that are already caught
+    TerminalOutput terminal;
     std::optional<CursesSession> curses;
     FrameDiffer differ;
     TerminalModes modes;

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A tick is one second of a gas in which each ball spheads its budget: many seconds of work.
+// A tick is one second of a gas in which each ball spends its budget: many seconds of work.
 std::string level(const std::string& solver) {
     const std::string head = "carom 1 \"Long ticks\"\nrate 1\nkind light r=0.5\n";
     if (solver == "event")

@@ -8,6 +8,8 @@
 ///     probe [option...] frames N        shows N frames of 200 moving discs, or of level=FILE, and
 ///                                       logs writes and bytes
 ///     probe [option...] crash SIGNAL    raises the signal with the screen open
+///     probe [option...] stuck           fills the terminal until it takes no more, raises TERM,
+///                                       and draws
 ///     probe [option...] capabilities    logs what the terminal can do
 ///     probe [option...] random N        shows N random pictures, logs the last cell by cell, waits
 ///     probe [option...] cells           shows cells of many colours and attributes, waits for a
@@ -16,6 +18,7 @@
 /// Options: supervised, a renderer and level=FILE (of frames), colors=N, motion,
 /// nopixels, noqueries.
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -235,6 +238,24 @@ int show_cells(Screen& screen) {
     return 0;
 }
 
+// The signal comes before the write that the terminal does not take.
+int draw_when_stuck(Screen& screen) {
+    const int terminal = ::open(ttyname(STDOUT_FILENO), O_WRONLY | O_NONBLOCK | O_NOCTTY);
+    const std::string blanks(4096, ' ');
+    while (::write(terminal, blanks.data(), blanks.size()) > 0) {
+    }
+    ::close(terminal);
+    log("stuck");
+    std::raise(SIGTERM);
+    Canvas canvas(screen.capabilities().columns, screen.capabilities().rows);
+    canvas.write(0, 0, "drawn");
+    screen.redraw();
+    screen.show(canvas);
+    for (const InputEvent& event : screen.wait(1.0))
+        if (event.kind == InputEvent::Kind::end) return 7;
+    return 1;
+}
+
 struct Arguments {
     ScreenOptions screen;
     RendererChoice renderer = &ascii_renderer();
@@ -281,6 +302,7 @@ int run(const Arguments& arguments) {
     if (what == "frames") return show_frames(screen, number, arguments.renderer, arguments.level);
     if (what == "random") return show_random(screen, number);
     if (what == "cells") return show_cells(screen);
+    if (what == "stuck") return draw_when_stuck(screen);
     if (what == "crash") {
         Canvas canvas(screen.capabilities().columns, screen.capabilities().rows);
         canvas.write(0, 0, "about to crash");

@@ -161,6 +161,21 @@ TEST_CASE("a stuck terminal does not block the exit") {
     CHECK(program.what_is_left_dirty() == "");
 }
 
+// Regression: a signal interrupts a write, but not one that begins after it. So a signal that came
+// while a picture was drawn for a stuck terminal was not answered until the terminal read again.
+TEST_CASE("a signal just before a write to a stuck terminal ends the program") {
+    for (const std::string_view supervision : {"", "supervised"}) {
+        std::vector<std::string> arguments{probe, "noqueries", "stuck"};
+        if (!supervision.empty()) arguments.insert(arguments.begin() + 1, std::string(supervision));
+        TerminalProgram program(arguments);
+        const auto end = program.wait_for_end_unread(8.0);
+        REQUIRE(end);
+        CHECK(program.exit_status() == 7);
+        program.settle();
+        CHECK(program.what_is_left_dirty() == "");
+    }
+}
+
 TEST_CASE("Ctrl-Z gives the terminal to the shell, and fg takes it back") {
     for (const std::string_view supervision : {"", "supervised"}) {
         for (const bool by_key : {true, false}) {
