@@ -162,8 +162,10 @@ void Player::draw_game(Canvas& canvas, double aspect) {
     play_.panels.sample(
         world.tick(), sums,
         conserves_energy(world) ? play_.reference.energy_drift(sums) : std::nullopt);
+    ViewOptions options = view();
+    options.counters = options.counters && !play_.panels.shows_counts_below(camera().area);
     draw_world(canvas, camera(), session().scene(), world, session().contacts(),
-               annotations_of(play_), view(), play_.view.memory);
+               annotations_of(play_), options, play_.view.memory);
     const bool is_split = play_.companion.comparison().has_value();
     if (counts_collisions(session().scene()) && !is_split)
         draw_large_count(

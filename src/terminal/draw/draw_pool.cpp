@@ -223,7 +223,9 @@ void write_numbers(Canvas& canvas, const View& view) {
         if (row < area.row || row >= area.row + area.rows || first < area.column ||
             first + width > area.column + area.columns)
             continue;
-        if (!is_free(taken, {row, first, first + width})) continue;
+        // Without colours, numbers that touch would read as one.
+        const int margin = look.has_colors() ? 0 : 1;
+        if (!is_free(taken, {row, first - margin, first + width})) continue;
         const bool is_white = is_stripe(ball.number);
         if (!look.has_colors()) {
             canvas.write(first, row, text, default_color, default_color,

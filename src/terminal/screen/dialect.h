@@ -28,6 +28,8 @@ struct TerminalDialect {
     /// The cursor stays on a row whose last column has been written. Otherwise it moves on, and in
     /// the last row the screen scrolls, so that corner is left blank.
     bool waits_at_margin = true;
+    /// Otherwise the cursor waits in the last cell, where it disturbs least.
+    bool hides_cursor = true;
     std::string clear = "\033[H\033[2J";
     /// For terminals that do not understand ECMA-48: the bytes that move to a row and a column
     /// (from 0), and those that set a style from any style. Empty: the terminal uses ECMA-48.

@@ -53,6 +53,7 @@ std::string_view FrameDiffer::paint(const Canvas& canvas) {
     if (std::exchange(is_whole_due_, false) || !has_shape) begin_whole(canvas);
     for (int row = 0; row < std::min(rows_, canvas.rows()); ++row)
         paint_row(canvas, row);
+    if (!dialect_.hides_cursor && !out_.empty()) reach(rows_ - 1, columns_ - 1);
     canvas_ = canvas;
     return out_;
 }

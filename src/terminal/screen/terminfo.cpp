@@ -205,6 +205,7 @@ TerminalDialect described_dialect(int most_colors, bool is_utf8, int promised_co
     dialect.has_erase_line = unpadded(capability("el")) == "\033[K";
     dialect.has_erase_cells = is_string("ech", "\033[%p1%dX");
     dialect.has_repeat = is_string("rep", "%p1%c\033[%p2%{1}%-%db");
+    dialect.hides_cursor = capability("civis") != nullptr;
     dialect.has_row = is_string("vpa", "\033[%i%p1%dd");
     dialect.has_column = is_string("hpa", "\033[%i%p1%dG");
     dialect.waits_at_margin = tigetflag("am") <= 0 || tigetflag("xenl") > 0;

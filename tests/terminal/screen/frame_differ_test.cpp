@@ -149,6 +149,15 @@ TEST_CASE("the first frame assumes nothing, and a frame without changes is empty
     CHECK(differ.paint(canvas) == "\033[m\033[H\033[2J\033[3G\n\033[33mab");
 }
 
+TEST_CASE("found 26: a cursor that cannot be hidden waits in the last cell") {
+    TerminalDialect dialect;
+    dialect.hides_cursor = false;
+    Window window(20, 5, dialect);
+    window.canvas.write(2, 1, "text");
+    CHECK(window.frame().ends_with("\033[5;20H"));
+    CHECK(window.frame().empty());
+}
+
 TEST_CASE("the style of a frame lasts into the next") {
     Window window(20, 3);
     window.canvas.write(0, 0, "x", 94);
