@@ -3,13 +3,57 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include "carom/files/level_files.h"
 #include "carom/files/print.h"
+#include "lab/json.h"
 
 namespace carom {
 
+namespace {
+
+void write_diagnostic(JsonWriter& json, const Diagnostic& diagnostic) {
+    json.begin_object(JsonWriter::Layout::one_line);
+    json.field("file", diagnostic.file);
+    json.field("line", std::int64_t{diagnostic.line});
+    json.field("column", std::int64_t{diagnostic.column});
+    json.field("length", std::int64_t{diagnostic.length});
+    json.field("severity", diagnostic.severity == Severity::error ? "error" : "warning");
+    json.field("code", diagnostic.code.text());
+    json.field("message", diagnostic.message);
+    json.field("remedy", diagnostic.remedy);
+    json.end_object();
+}
+
+// A list of all diagnostics of all levels. A level that cannot be read has one without a line.
+int check_for_tools(const CheckOptions& options) {
+    bool all_load = true;
+    JsonWriter json;
+    json.begin_list(JsonWriter::Layout::lines);
+    for (const std::string& argument : options.levels) {
+        const LoadedLevel level = load_level_file(argument, {.overrides = options.overrides});
+        all_load = all_load && level.result.scene;
+        if (!level.error.empty()) {
+            json.begin_object(JsonWriter::Layout::one_line);
+            json.field("file", argument);
+            json.field("severity", "error");
+            json.field("message", level.error);
+            json.end_object();
+        }
+        for (const Diagnostic& diagnostic : level.result.diagnostics)
+            write_diagnostic(json, diagnostic);
+    }
+    json.end_list();
+    if (!print_out(std::move(json).text())) return 2;
+    return all_load ? 0 : 2;
+}
+
+}  // namespace
+
 int check(const CheckOptions& options) {
+    if (options.format == CheckFormat::json) return check_for_tools(options);
     bool all_load = true;
     for (const std::string& argument : options.levels) {
         const LoadedLevel level = load_level_file(argument, {.overrides = options.overrides});

@@ -280,6 +280,7 @@ void add_check_and_list(CLI::App& app, CheckOptions& options) {
         ->type_name("")
         ->required();
     check.add_overrides(options.overrides);
+    check.add({"--format", "NAME", "json, or text (the default)"}, options.format, check_format);
     app.add_subcommand("list", "List the levels that ship");
 }
 

@@ -147,6 +147,12 @@ PictureFormat picture_format(std::string_view option, const std::string& text) {
     return one_of<PictureFormat>(choices, option, text);
 }
 
+CheckFormat check_format(std::string_view option, const std::string& text) {
+    static constexpr std::array<Named<CheckFormat>, 2> choices{
+        {{"text", CheckFormat::text}, {"json", CheckFormat::json}}};
+    return one_of<CheckFormat>(choices, option, text);
+}
+
 WindowSize window_size(std::string_view option, const std::string& text) {
     constexpr int most = 1000;
     const std::size_t x = text.find('x');

@@ -46,6 +46,7 @@ std::vector<CompareOptions::Side> solver_list(std::string_view option, const std
 RendererChoice renderer_option(std::string_view option, const std::string& text);
 ColorChoice color_choice(std::string_view option, const std::string& text);
 PictureFormat picture_format(std::string_view option, const std::string& text);
+CheckFormat check_format(std::string_view option, const std::string& text);
 /// "120x40": columns and rows, 1 to 1000 each.
 struct WindowSize {
     int columns = 0;

@@ -75,9 +75,15 @@ struct VerifyOptions {
 };
 
 /// `carom check LEVEL...`
+enum class CheckFormat : std::uint8_t {
+    text,  ///< for people: with the line, a caret and a suggested fix
+    json   ///< for editors
+};
+
 struct CheckOptions {
     std::vector<std::string> levels;
     std::vector<std::string> overrides;
+    CheckFormat format = CheckFormat::text;
 };
 
 enum class PictureFormat : std::uint8_t {

@@ -182,6 +182,23 @@ TEST_CASE("check reports all errors in every level") {
     CHECK(has(finished.err, "there is no level"));
 }
 
+TEST_CASE("found 38: check tells editors in JSON what is wrong, and where") {
+    const TemporaryFolder folder;
+    const std::string good = folder.file("good.level", ramp);
+    const std::string bad = folder.file("bad.level", "carom 1 \"bad\"\nedgee r=1 0,0 1,0\n");
+    CHECK(run_carom({"check", good, "--format", "json"}).out == "[]\n");
+    const Finished finished = run_carom({"check", bad, "missing", "--format=json"});
+    CHECK(finished.exit_code == 2);
+    CHECK(finished.err.empty());
+    CHECK(has(finished.out,
+              "bad.level\", \"line\": 2, \"column\": 1, \"length\": 5, "
+              "\"severity\": \"error\", \"code\": \"unknown-statement\", "));
+    CHECK(has(finished.out, "\"remedy\": \"did you mean 'edge'?\""));
+    CHECK(has(finished.out, "{\"file\": \"missing\", \"severity\": \"error\", "));
+    CHECK(has(run_carom({"check", bad, "--format", "xml"}).err,
+              "--format must be one of text, json"));
+}
+
 TEST_CASE("a bad level does not run, and writes no output") {
     const TemporaryFolder folder;
     const std::string bad = folder.file("bad.level", "carom 1 \"bad\"\nball a at=0,0 r=-1\n");
