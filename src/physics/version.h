@@ -32,6 +32,8 @@ namespace carom {
 ///   (event/impact/position_correction.h).
 /// - `event`: a ball that gravity presses on a driven edge leaves it so that it rises by at least
 ///   5e-4 of its radius (driven_lift_height, laws/bounce.h).
+/// - `event`: balls that are lifted apart pay for it with what the impact took from them, and with
+///   their speed.
 /// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
 inline constexpr int physics_version = 3;
 

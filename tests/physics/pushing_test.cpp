@@ -27,7 +27,7 @@ struct Bounds {
 };
 // `contact` does not report the impulses of its constraints, so its work is not known here.
 constexpr Bounds of_swept{SolverKind::swept, 1e-9, 1e-3, 1e-9, 1e-9};
-constexpr Bounds of_event{SolverKind::event, 1e-9, 1e-3, 1e-3, 2e-2};
+constexpr Bounds of_event{SolverKind::event, 1e-9, 1e-9, 1e-3, 0.04};
 constexpr Bounds of_contact{SolverKind::contact, 1e9, 1e9, 0.05, 0.05};
 
 void check_pushes(const Bounds& bounds, int first, int last) {

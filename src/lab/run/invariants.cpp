@@ -104,7 +104,6 @@ Promise promise_of(SolverKind solver) {
                     .overlap = 1e-3,
                     .overlap_of_clustered = 0.75,
                     .parted = 1e-6,
-                    .lifts_overlaps = true,
                     .keeps_sides = true,
                     .moves = true};
         case SolverKind::swept:

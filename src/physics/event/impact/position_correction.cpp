@@ -7,10 +7,22 @@
 namespace carom {
 
 template <typename Real>
-void PositionCorrection<Real>::apply() {
+bool PositionCorrection<Real>::is_paid() const {
     const Model& model = scene_.world->model();
-    const bool on_cloth = model.cloth.has_value();
-    if (!(model.gravity && model.inelastic) && !on_cloth) return;
+    return model.gravity && model.inelastic && !model.cloth;
+}
+
+template <typename Real>
+void PositionCorrection<Real>::apply(const Real& lost) {
+    if (!is_paid() && !scene_.world->model().cloth) return;
+    moved_.clear();
+    separate();
+    if (!moved_.empty() && is_paid()) pay(lost);
+}
+
+template <typename Real>
+void PositionCorrection<Real>::separate() {
+    const bool on_cloth = scene_.world->model().cloth.has_value();
     const Real allowed(on_cloth ? overlap_heights_on_cloth * cloth_rest_height
                                 : overlap_heights * moving_rest_height);
     for (const ContactPoint<Real>& point : cluster_.contacts()) {
@@ -30,18 +42,15 @@ void PositionCorrection<Real>::apply() {
         };
         const Real gain = gain_of(ours, Real(1.0)) + gain_of(theirs, Real(-1.0));
         if (!(gain > Real{})) continue;
-        const auto move = [&](std::uint32_t index, const Way& way) {
+        const auto go = [&](std::uint32_t index, const Way& way) {
             if (!(way.inverse_mass > Real{})) return;
-            ClusterBody<Real>& body = cluster_.bodies()[index];
             // No further than was tried; but beside a bent edge, part of a way may be barred.
             Vector<Real> displacement =
                 way.displacement * std::min(Real(1.0), way.inverse_mass / gain);
-            if (turns_aside(body, displacement)) return;
-            body.position += displacement;
-            body.is_moved = true;
+            if (!turns_aside(cluster_.bodies()[index], displacement)) move(index, displacement);
         };
-        move(point.contact.a, ours);
-        move(point.contact.b, theirs);
+        go(point.contact.a, ours);
+        go(point.contact.b, theirs);
         cluster_.note_correction();
     }
 }
@@ -54,10 +63,73 @@ void PositionCorrection<Real>::move_out_of(const ContactPoint<Real>& point) {
     const Real depth = std::min(-point.gap, Real(most_correction) * cluster_.smaller_radius(point));
     const Way way = way_of(point.contact.a, point.contact.normal * depth);
     if (!(way.inverse_mass > Real{})) return;
-    ClusterBody<Real>& body = cluster_.bodies()[point.contact.a];
-    body.position += way.displacement;
-    body.is_moved = true;
+    move(point.contact.a, way.displacement);
     cluster_.note_correction();
+}
+
+template <typename Real>
+void PositionCorrection<Real>::move(std::uint32_t index, const Vector<Real>& displacement) {
+    ClusterBody<Real>& body = cluster_.bodies()[index];
+    if (!body.is_moved) moved_.push_back({index, body.position});
+    body.position += displacement;
+    body.is_moved = true;
+}
+
+// The potential energy that the bodies have gained.
+template <typename Real>
+Real PositionCorrection<Real>::lifted() const {
+    Real sum{};
+    for (const Start& start : moved_)
+        sum -= dot(scene_.field.gravity, cluster_.bodies()[start.body].position - start.position) /
+               cluster_.motion()[start.body].inverse_mass;
+    return sum;
+}
+
+template <typename Real>
+auto PositionCorrection<Real>::momentum() const -> Momentum {
+    bool is_alone = true;
+    for (const ContactPoint<Real>& point : cluster_.contacts())
+        is_alone = is_alone && (point.is_apart || (point.kind == EventKind::ball_ball &&
+                                                   cluster_.bodies()[point.contact.a].is_changed &&
+                                                   cluster_.bodies()[point.contact.b].is_changed));
+    Momentum all;
+    Real mass{};
+    for (std::size_t i = 0; i < cluster_.bodies().size(); ++i) {
+        const ImpactBody<Real>& body = cluster_.motion()[i];
+        if (!cluster_.bodies()[i].is_changed || !(body.inverse_mass > Real{})) continue;
+        all.kinetic += Real(0.5) * length_squared(body.velocity) / body.inverse_mass;
+        all.center += body.velocity / body.inverse_mass;
+        mass += Real(1.0) / body.inverse_mass;
+    }
+    if (!is_alone || !(mass > Real{})) {
+        all.center = {};
+        return all;
+    }
+    all.center = all.center / mass;
+    all.kinetic -= Real(0.5) * mass * length_squared(all.center);
+    return all;
+}
+
+// One share of all velocities keeps every contact point at rest or separating.
+template <typename Real>
+void PositionCorrection<Real>::pay(const Real& lost) {
+    const Real gain = lifted();
+    if (!(gain > lost)) return;
+    const Momentum all = momentum();
+    const Real most = Real(most_paid) * std::max(Real{}, all.kinetic) + std::max(Real{}, lost);
+    if (gain > most)
+        for (const Start& start : moved_) {
+            Vector<Real>& position = cluster_.bodies()[start.body].position;
+            position = start.position + (position - start.position) * (most / gain);
+        }
+    const Real owed = std::min(gain, most) - lost;
+    if (!(owed > Real{} && owed < all.kinetic)) return;
+    const Real share = square_root(Real(1.0) - owed / all.kinetic);
+    for (std::size_t i = 0; i < cluster_.bodies().size(); ++i) {
+        ImpactBody<Real>& body = cluster_.motion()[i];
+        if (!cluster_.bodies()[i].is_changed || !(body.inverse_mass > Real{})) continue;
+        body.velocity = all.center + (body.velocity - all.center) * share;
+    }
 }
 
 // Whether a ball would be displaced into another one, or through it, deeper than it is in there.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "physics/event/impact/impact_cluster.h"
 
 namespace carom {
@@ -8,8 +11,13 @@ namespace carom {
 ///
 /// Moving balls may sink into one another by about `moving_rest_height` (on cloth
 /// `cloth_rest_height`) before they meet again. Pairs that are deeper are separated until they
-/// touch, in proportion to their inverse masses, by at most half the smaller radius. Lifting balls
-/// against gravity gains at most the energy of that displacement.
+/// touch, in proportion to their inverse masses, by at most half the smaller radius.
+///
+/// Lifting balls against gravity adds no energy. The impact has mostly taken as much out of them,
+/// since they have fallen into one another as far as they are lifted. What is missing comes out of
+/// their velocities: all bodies of the cluster become slower by the same share, relative to their
+/// centre of mass if nothing else touches them. If they are too slow for that, they are lifted
+/// less.
 ///
 /// A ball that an edge bars goes along the edge instead, as far as the normal leads that way. So
 /// a ball that leans on a wall still separates from one on the floor, impact by impact, instead of
@@ -25,10 +33,29 @@ class PositionCorrection {
                        const SpatialIndex<Real>& space, ImpactCluster<Real>& cluster)
         : scene_(scene), balls_(balls), space_(space), cluster_(cluster) {}
 
-    /// Moves bodies of the cluster, which sets their `is_moved`.
-    void apply();
+    /// Whether this scene's balls are separated, and pay for it.
+    bool is_paid() const;
+    /// Moves bodies of the cluster, which sets their `is_moved`, and slows them. `lost`: kinetic
+    /// energy that the impact has taken out of them, mass length^2/s^2.
+    void apply(const Real& lost);
 
   private:
+    /// Where a body was before it was moved.
+    struct Start {
+        std::uint32_t body;
+        Vector<Real> position;
+    };
+    /// What moves with the cluster.
+    struct Momentum {
+        Vector<Real> center;  ///< velocity, length/s
+        Real kinetic{};       ///< energy relative to it
+    };
+
+    void separate();
+    void move(std::uint32_t body, const Vector<Real>& displacement);
+    void pay(const Real& lost);
+    Real lifted() const;
+    Momentum momentum() const;
     void move_out_of(const ContactPoint<Real>& point);
     bool enters_ball(const ClusterBody<Real>& body, const Vector<Real>& displacement) const;
     /// What edges and other balls leave of a displacement, and at which inverse mass.
@@ -43,6 +70,7 @@ class PositionCorrection {
     const BallTable<Real>& balls_;
     const SpatialIndex<Real>& space_;
     ImpactCluster<Real>& cluster_;
+    std::vector<Start> moved_;  ///< each body once
 };
 
 }  // namespace carom

@@ -42,7 +42,7 @@ const std::vector<std::uint32_t>& Response<Real>::resolve(std::uint32_t ball,
         cluster_.begin(ball, event);
         is_jammed = run_rounds(record.contacts);
     }
-    correction_.apply();
+    correction_.apply(lost_);
     start_trajectories(record.touched);
     for (const std::uint32_t each : changed_)
         rest_.settle(each);
@@ -55,6 +55,7 @@ const std::vector<std::uint32_t>& Response<Real>::resolve(std::uint32_t ball,
 template <typename Real>
 bool Response<Real>::run_rounds(std::vector<Contact>& contacts) {
     bool is_jammed = false;
+    lost_ = Real{};
     for (std::size_t round = 0;; ++round) {
         find_approaching(round == 0);
         if (approaching_.empty()) break;
@@ -210,6 +211,7 @@ void Response<Real>::pass_impulses(bool is_alone, std::vector<Contact>& contacts
         passed_.assign(1, reflect_alone<Real>(motion, group_[0]));
     else
         passed_ = reflect<Real>(motion, group_, &memory_);
+    if (correction_.is_paid()) note_loss();
     if (scene_.world->model().spin) friction_.apply(approaching_, passed_);
     if (is_soft) {
         motion[group_[0].a].inverse_mass = masses[0];
@@ -225,6 +227,14 @@ void Response<Real>::pass_impulses(bool is_alone, std::vector<Contact>& contacts
             }
         record_contact(at, contacts);
     }
+}
+
+// The work of the normal impulses of a round, relative to the surfaces.
+template <typename Real>
+void Response<Real>::note_loss() {
+    for (std::size_t at = 0; at < group_.size(); ++at)
+        lost_ += Real(0.5) * passed_[at] *
+                 (approach_[at] + approach_of<Real>(group_[at], cluster_.motion()));
 }
 
 // Applies the kick of an edge after a contact of the group has passed its impulse, and records it.

@@ -77,6 +77,7 @@ class Response {
     bool press_group();
     void prepare_group(bool is_alone);
     bool follow_curve(const ContactPoint<Real>& point);
+    void note_loss();
     void record_contact(std::size_t at, std::vector<Contact>& contacts);
     void stop_all();
     void hold_frozen();
@@ -101,6 +102,7 @@ class Response {
     std::vector<Real> approach_;              ///< speed at each of group_, length/s
     std::pmr::unsynchronized_pool_resource memory_{{.largest_required_pool_block = 1 << 20}};
     std::pmr::vector<Real> passed_{&memory_};  ///< normal impulse of each
+    Real lost_{};            ///< kinetic energy that the impact's normal impulses have taken so far
     bool rolls_on_ = false;  ///< the group is one ball that rolls on along a curve
     std::vector<std::uint32_t> changed_;
 };

@@ -78,6 +78,45 @@ TEST_CASE("response: balls that a wall and a floor bar separate along these") {
     CHECK(1.0 - distance(low, there) < 0.01 * depth);
 }
 
+// Regression: a ball that slides over one on the floor was lifted again and again, 1e-7 of its
+// energy at a time.
+TEST_CASE("response: balls that are lifted apart pay for it with their speed") {
+    for (const double speed : {1.0, 1e-3}) {
+        CAPTURE(speed);
+        World world = scenes::empty();
+        world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+        world.edit_definition().model.inelastic = true;
+        const double depth = 1e-3;
+        const Vec2 normal{0.6, 0.8};
+        add_ball(world, {.position = {0.0, 0.5}, .velocity = {speed, 0.0}, .radius = 0.5});
+        add_ball(world, {.position = Vec2{0.0, 0.5} + normal * (1.0 - depth),
+                         .velocity = {-speed, 0.0},
+                         .radius = 0.5});
+        add_capsule(world, {{-5.0, 0.0}, {5.0, 0.0}, 0.0}, 0);
+        EventParts parts(world);
+        const auto energy = [&] {
+            double sum = 0.0;
+            for (std::uint32_t i = 0; i < 2; ++i)
+                sum += 0.5 * length_squared(parts.balls[i].line.velocity) +
+                       10.0 * parts.balls[i].line.position.y;
+            return sum;
+        };
+        const double before = energy();
+        std::vector<Contact> contacts;
+        std::vector<std::uint8_t> touched(2);
+        parts.response.resolve(0, {parts.scene.now, EventKind::ball_ball, 0, 0, 1, 0},
+                               {contacts, touched});
+        parts.cluster.end();
+        CHECK(energy() == doctest::Approx(before).epsilon(1e-15));
+        const double gap =
+            length(parts.balls[1].line.position - parts.balls[0].line.position) - 1.0;
+        // Slow balls have too little energy to be lifted all of the way.
+        CHECK((gap > -0.01 * depth) == (speed == 1.0));
+        CHECK(gap > -depth);
+        CHECK(gap < 0.01 * depth);
+    }
+}
+
 TEST_CASE("response: a resting ball that is hit releases the balls that rest on it") {
     World world = scenes::empty();
     world.edit_definition().model.gravity = Vec2{0.0, -10.0};
