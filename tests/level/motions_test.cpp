@@ -94,3 +94,11 @@ TEST_CASE("motions: `move` sets their time, and stops and starts them") {
     CHECK(waiting.world.movers()[0].clock == 1.0);
     CHECK_FALSE(waiting.world.movers()[0].runs);
 }
+
+TEST_CASE("motions: nothing is said of gaps at edges that move") {
+    const std::string text =
+        "carom 1 \"Gap\"\nball a at=0,9 r=1\nedge name=wall 0,0 10,0\nedge name=door 11,0 20,0\n";
+    CHECK(load_level(text, "m.level").diagnostics.size() == 1);
+    CHECK(load_level(text + "motion swing door about=20,0 by=90 every=4\n", "m.level")
+              .diagnostics.empty());
+}

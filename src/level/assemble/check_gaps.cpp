@@ -99,6 +99,7 @@ void check_gaps(const std::vector<StartingBall>& balls, const ResolvedNames& nam
                 return ++pairs < most_pairs;
             }
             if (layer_of(edges[i]) != layer_of(edges[k])) return ++pairs < most_pairs;
+            if (edges[i].is_moved || edges[k].is_moved) return ++pairs < most_pairs;
             const double gap = gap_between(edges[i].shape, edges[k].shape);
             // Edges that the author made to touch, and that rounding separates, have no gap.
             if (gap <= 1e-9 * diameter) {
