@@ -23,7 +23,8 @@ void check_terms(Context& context);
 void check_precision(const std::vector<StartingBall>& balls, double rate, Context& context);
 
 /// Warns of gaps between edges that are too narrow for the smallest ball. A level without balls has
-/// no such gaps, and edges that move are left out. Bounded work: gives up with a warning after 4 million pairs.
+/// no such gaps, and edges that move are left out. Bounded work: gives up with a warning after 4
+/// million pairs.
 void check_gaps(const std::vector<StartingBall>& balls, const ResolvedNames& names,
                 Context& context);
 
