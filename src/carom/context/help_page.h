@@ -8,8 +8,8 @@
 /// holds all lines (carom/controllers/help_pages.cpp); KeyMap::help adds the keys that are bound.
 namespace carom {
 
-/// The ways of playing.
-enum class PlayKind : std::uint8_t { free, pool, pinball, watching };
+/// The ways of playing. `cue`: with a cue, and without a referee of pool.
+enum class PlayKind : std::uint8_t { free, pool, cue, pinball, watching };
 
 constexpr std::uint8_t help_bit(PlayKind kind) {
     return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));

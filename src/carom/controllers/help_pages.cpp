@@ -6,33 +6,38 @@ namespace {
 
 constexpr std::uint8_t in_free = help_bit(PlayKind::free);
 constexpr std::uint8_t at_pool = help_bit(PlayKind::pool);
+constexpr std::uint8_t at_cue = help_bit(PlayKind::cue);
+constexpr std::uint8_t at_table = at_pool | at_cue;
 constexpr std::uint8_t at_pinball = help_bit(PlayKind::pinball);
 constexpr std::uint8_t watched = help_bit(PlayKind::watching);
 constexpr std::uint8_t in_lab = in_free | watched;
-constexpr std::uint8_t in_all = in_free | at_pool | at_pinball | watched;
-constexpr std::uint8_t seen_above = in_free | at_pool | watched;
+constexpr std::uint8_t in_all = in_free | at_table | at_pinball | watched;
+constexpr std::uint8_t seen_above = in_free | at_table | watched;
 
 // At 80 columns a help text has room for 23 characters.
 constexpr HelpLine lines[] = {
-    {at_pool, "Shot", "grab", "", "shoot"},
-    {at_pool, "Shot", "cursor-left cursor-right", "left right", "aim"},
-    {at_pool, "Shot", "aim-left aim-right", "", "aim finely"},
-    {at_pool, "Shot", "cursor-up cursor-down", "up down", "power"},
-    {at_pool, "Shot", "pan-left pan-right pan-up pan-down", "shift-arrows",
+    {at_table, "Shot", "grab", "", "shoot"},
+    {at_table, "Shot", "cursor-left cursor-right", "left right", "aim"},
+    {at_table, "Shot", "aim-left aim-right", "", "aim finely"},
+    {at_table, "Shot", "cursor-up cursor-down", "up down", "power"},
+    {at_table, "Shot", "pan-left pan-right pan-up pan-down", "shift-arrows",
      "tip: side, follow, draw"},
     {at_pool, "Shot", "next-pot previous-pot", "", "next, previous pot"},
+    {at_cue, "Shot", "next-pot previous-pot", "", "next, previous target"},
     {at_pool, "Shot", "call", "", "safety, or push-out"},
-    {at_pool, "Shot", "place-cue-ball", "", "place the cue ball"},
-    {at_pool, "Shot", "aids", "", "aiming aid"},
+    {at_table, "Shot", "place-cue-ball", "", "place the cue ball"},
+    {at_table, "Shot", "aids", "", "aiming aid"},
     {at_pool, "Shot", "coach", "", "coach: three best shots"},
-    {at_pool, "Shot", "undo", "", "undo the shot"},
+    {at_table, "Shot", "undo", "", "undo the shot"},
     {at_pool, "Game", "next-frame", "", "rack the next frame"},
+    {at_cue, "Game", "next-frame", "", "a new game"},
     {at_pool, "Game", "opponent", "", "opponent: off, 1 to 4"},
     {at_pool, "Game", "hand", "", "your skill in a match"},
     {at_pool, "Game", "record", "", "your record"},
     {at_pool, "Mouse", "", "left", "aim; call a pocket"},
-    {at_pool, "Mouse", "", "right drag", "pull the cue and shoot"},
-    {at_pool, "Mouse", "", "wheel", "power"},
+    {at_cue, "Mouse", "", "left", "aim; pick your ball"},
+    {at_table, "Mouse", "", "right drag", "pull the cue and shoot"},
+    {at_table, "Mouse", "", "wheel", "power"},
 
     {at_pinball, "Table", "left-flipper", "z or left", "left flipper"},
     {at_pinball, "Table", "right-flipper", "/ or right", "right flipper"},
@@ -60,7 +65,7 @@ constexpr HelpLine lines[] = {
     {in_free, "Edit", "gravity turn-gravity", "", "gravity: on/off, turn"},
 
     {in_all, "Time", "pause", "", "pause, resume"},
-    {at_pool, "Time", "to-rest", "", "skip until they rest"},
+    {at_table, "Time", "to-rest", "", "skip until they rest"},
     {seen_above, "Time", "step-forward step-back", "", "step forward, back"},
     {in_lab, "Time", "next-collision", "", "to the next collision"},
     {in_lab, "Time", "second-forward second-back", "", "1 s forward, back"},
@@ -85,10 +90,10 @@ constexpr HelpLine lines[] = {
 
     {in_all, "Program", "about", "f1", "about this level"},
     {in_free, "Program", "solver explain", "", "solver: next, details"},
-    {at_pool | at_pinball | watched, "Program", "explain", "", "solver and model"},
-    {in_lab | at_pool, "Program", "save", "", "save as a level"},
+    {at_table | at_pinball | watched, "Program", "explain", "", "solver and model"},
+    {in_lab | at_table, "Program", "save", "", "save as a level"},
     {in_all, "Program", "mouse", "", "mouse on, off"},
-    {in_free | at_pool | at_pinball, "Program", "take-up", "", "resume unfinished game"},
+    {in_free | at_table | at_pinball, "Program", "take-up", "", "resume unfinished game"},
     {in_all, "Program", "menu quit", "", "cancel or menu, quit"},
 };
 

@@ -89,6 +89,11 @@ void next_pot(PoolController& table, PlayContext& play, bool backwards) {
 
 bool next_pot_under_rules(PoolController& table, PlayContext& play, bool backwards) {
     if (!has_turns(play.session)) return false;
+    if (table.is_aiming(play) && table.aim().may_choose(play.session)) {
+        table.aim().choose_next(play.session, backwards);
+        play.needs_draw = true;
+        return true;
+    }
     next_pot(table, play, backwards);
     return true;
 }
@@ -123,7 +128,7 @@ void rack_again(const PoolController& table, PlayContext& play) {
     if (pool && table.players().is_match(play.session) && pool->shooter &&
         pool->rules.phase != PoolPhase::over)
         return say(play, "In a match a frame is played to its end.");
-    obey(play, command::RackAgain{}, "the balls are racked");
+    obey(play, command::RackAgain{}, pool ? "the balls are racked" : "a new game");
 }
 
 void next_opponent(PoolController& table, PlayContext& play) {

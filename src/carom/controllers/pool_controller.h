@@ -18,9 +18,11 @@ class PoolController : public FreeController {
     /// Whether the level has a cue, so that a player can aim.
     static bool is_at(const Scene& scene) { return PoolAim::is_at(scene); }
     /// Pre: is_at().
-    explicit PoolController(const Session& session) : aim_(session) {}
+    explicit PoolController(const Session& session)
+        : kind_(std::holds_alternative<PoolPlay>(session.game()) ? PlayKind::pool : PlayKind::cue),
+          aim_(session) {}
 
-    PlayKind kind() const override { return PlayKind::pool; }
+    PlayKind kind() const override { return kind_; }
     bool take(PlayContext& play, const InputEvent& event) override;
     void perform(PlayContext& play, const Action& action) override;
     void point(PlayContext& play) override;
@@ -29,6 +31,7 @@ class PoolController : public FreeController {
     bool has_work() const override {
         return aim_.has_work() || coach_.is_asked() || stroke_.meter();
     }
+    Camera fit(const PlayContext& play, const CellArea& area, double aspect) override;
     void cut_panel(const PlayContext& play, CellArea& area) override;
     void draw_panel(const PlayContext& play, Canvas& canvas) const override;
     void look(PlayContext& play) override;
@@ -68,6 +71,7 @@ class PoolController : public FreeController {
     void hear_coach(PlayContext& play);
     std::string line(const PlayContext& play) const;
 
+    PlayKind kind_;
     PoolAim aim_;
     CellArea panel_;              ///< of the scoreboard; empty: none
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse

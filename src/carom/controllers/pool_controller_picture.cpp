@@ -16,6 +16,13 @@ void PoolController::annotate(const PlayContext& play, Annotations& annotations)
     if (!play.pointer.tool.has_cue()) Controller::annotate(play, annotations);
 }
 
+// Where the rules show a part of the table, `f` switches to the whole of it and back.
+Camera PoolController::fit(const PlayContext& play, const CellArea& area, double aspect) {
+    const ShotsState* const shots = shots_of(play.session);
+    const auto part = shots ? box_to_look_at(play.session.scene(), *shots) : std::nullopt;
+    return fit_camera(part && !play.view.shows_whole ? *part : play.view.shown, area, aspect);
+}
+
 void PoolController::cut_panel(const PlayContext& play, CellArea& area) {
     const Vec2 extent = size(play.view.shown);
     constexpr double aspect = 2.0;  // of most terminals: this only decides where the panel is
@@ -85,10 +92,12 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     if (!is_aiming(play)) return;
     const bool in_match = players_.is_match(play.session);
     hint("grab", in_match ? "stroke, and again: strike" : "shoot");
+    if (aim_.may_choose(play.session)) hint("next-ball", "next of your balls");
     hints.push_back({"arrows", "aim, power"});
     hints.push_back({"shift-arrows", "tip"});
     if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
-    hint("next-pot", in_match ? "next ball" : "next pot");
+    const bool has_pockets = !play.session.scene().pool.pockets.empty();
+    hint("next-pot", in_match || !has_pockets ? "next ball" : "next pot");
     if (in_match) return;
     hint("aids", "lines");
     if (pool) hint("coach", "coach");

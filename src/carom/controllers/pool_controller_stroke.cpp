@@ -83,6 +83,11 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     const bool is_left = event.button == left_button && !(event.modifiers & (shift | control));
     if (is_left && at_pointer && !has_game) return false;
     Pointer& pointer = play.pointer;
+    if (is_left && at_pointer && is_aiming(play) && at_pointer != cue &&
+        aim_.choose(play.session, *at_pointer)) {
+        play.needs_draw = true;
+        return true;
+    }
     if (is_left && at_pointer && at_pointer == cue && is_aiming(play) &&
         aim_.may_place(play.session)) {
         pointer.tool.grab_to_place(play.session.world(), *cue, pointer.at);

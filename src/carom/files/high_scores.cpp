@@ -140,6 +140,16 @@ HighScoresText keep_high_score(std::string_view table, std::size_t most, const H
     return kept;
 }
 
+int load_stars(const std::string& level_path) {
+    const HighScoresText kept = load_high_scores("stars/" + high_scores_name(level_path), 1);
+    return kept.scores.lines.empty() ? 0 : static_cast<int>(kept.scores.lines.front().score);
+}
+
+std::optional<std::string> keep_stars(const std::string& level_path, int stars) {
+    if (stars <= load_stars(level_path)) return std::nullopt;
+    return keep_high_score("stars/" + high_scores_name(level_path), 1, {"---", stars}).problem;
+}
+
 std::string high_scores_name(std::string_view level_path) {
     std::string name = std::filesystem::path(level_path).stem().string();
     std::ranges::replace_if(

@@ -13,8 +13,12 @@
 ///     carom high scores 1
 ///     three-bumpers 123450 ABC
 ///
-/// with the name of the table, the points, and the initials. A file in another format is never
-/// overwritten.
+/// with the name of the table, the points, and the initials. The stars of a level's goal are lines
+/// of a table of their own, without initials:
+///
+///     stars/clear-one 3 ---
+///
+/// A file in another format is never overwritten.
 namespace carom {
 
 struct HighScore {
@@ -52,6 +56,11 @@ HighScoresText load_high_scores(std::string_view table, std::size_t most);
 /// Rereads the user's file, adds one score, and returns the table's scores. The file is replaced at
 /// once or not at all, under a lock, so that two games that end together keep both scores.
 HighScoresText keep_high_score(std::string_view table, std::size_t most, const HighScore& score);
+
+/// The most stars that were kept for the goal of the level; 0: none.
+int load_stars(const std::string& level_path);
+/// Keeps the stars, unless the level has as many. Returns the problem, as a sentence.
+std::optional<std::string> keep_stars(const std::string& level_path, int stars);
 
 /// The name of a level in the file: its file name without folder and extension.
 std::string high_scores_name(std::string_view level_path);

@@ -11,6 +11,7 @@
 #include "carom/files/high_scores.h"
 #include "carom/files/menu_list.h"
 #include "carom/text/level_words.h"
+#include "game/rules/goal.h"
 #include "level/text/utf8.h"
 #include "terminal/canvas/character_width.h"
 #include "terminal/panels/pages.h"
@@ -60,8 +61,12 @@ std::vector<std::string> score_notes(const std::string& path, std::size_t most) 
     return notes;
 }
 
-/// The best score of a table; empty: there is none.
+/// The best score of a table, or the stars of a goal; empty: there is none.
 std::string best_score(const std::string& path) {
+    const int stars = std::min(load_stars(path), most_stars);
+    if (stars > 0)
+        return std::string(static_cast<std::size_t>(stars), '*') +
+               std::string(static_cast<std::size_t>(most_stars - stars), '.');
     const HighScoresText kept = load_high_scores(high_scores_name(path), 1);
     return kept.scores.lines.empty() ? "" : grouped(kept.scores.lines.front().score);
 }
@@ -273,6 +278,8 @@ void Menu::look_at_selected() {
     }
     Scene& scene = *loaded.result.scene;
     known.goal = words_of(scene.comment).goal;
+    if (known.goal.empty() && !scene.rules.goals.empty())
+        known.goal = scene.rules.goals.front().text;
     if (scene.table.is_game) known.notes = score_notes(item.path, scene.table.highscores);
     const SolverSettings solver = scene.solver.value_or(pick_solver(scene.world).settings);
     picture_.emplace(Session(std::move(scene), solver, 0), ViewOptions{}, KeyMap());

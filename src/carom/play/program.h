@@ -112,6 +112,7 @@ class Program {
     void reload(RunningGame& game);
     ViewOptions view() const;
     void keep_pool_record(RunningGame& game, bool all);
+    void keep_stars(RunningGame& game);
     void keep_key_repeat(const RunningGame& game);
     void keep_setting(std::string_view name, std::string_view value);
 

@@ -170,7 +170,10 @@ void Program::advance_game(RunningGame& game, double seconds, double now,
     const double faded = std::exchange(game.messages_faded, now);
     game.player.fade_messages(faded > 0.0 ? now - faded : seconds);
     game.player.advance(seconds, may_go_on);
-    if (game.player.is_watching()) game.compare_marks();
+    if (game.player.is_watching())
+        game.compare_marks();
+    else
+        keep_stars(game);
     if (now >= next_autosave_) {
         next_autosave_ = now + autosave_interval;
         game.autosave();

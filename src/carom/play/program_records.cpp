@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "carom/files/high_scores.h"
 #include "carom/files/pool_record.h"
 #include "carom/play/program.h"
 
@@ -36,6 +37,14 @@ void Program::keep_pool_record(RunningGame& game, bool all) {
     const PoolRecordText kept = carom::keep_pool_record(*since);
     if (kept.problem) game.player.complain(*kept.problem);
     players->set_record(kept.record);
+}
+
+void Program::keep_stars(RunningGame& game) {
+    const int stars = stars_of(game.player.session().game());
+    if (stars <= game.stars) return;
+    game.stars = stars;
+    if (const auto problem = carom::keep_stars(game.source.path, stars))
+        game.player.complain(*problem);
 }
 
 }  // namespace carom

@@ -30,6 +30,7 @@ struct RunningGame {
     std::vector<FingerprintMark> expected{};  ///< fingerprints of a watched recording
     std::size_t marks_compared = 0;
     std::optional<SavePrompt> prompt{};      ///< while the player is asked for a name
+    int stars = 0;                           ///< of the level's goal, kept so far in this game
     bool was_paused = false;                 ///< before that question
     double messages_faded = 0.0;             ///< the time up to which they have, s
     int recorded_physics = physics_version;  ///< physics version of a watched recording

@@ -153,7 +153,7 @@ void add_world(const PlayContext& play, HudInfo& info) {
 bool is_game(const PlayContext& play) {
     const PlayKind kind = play.controller->kind();
     const Scene& scene = play.session.scene();
-    return kind == PlayKind::pool || kind == PlayKind::pinball ||
+    return kind == PlayKind::pool || kind == PlayKind::cue || kind == PlayKind::pinball ||
            (kind == PlayKind::watching && (scene.pool.cue || scene.table.is_game));
 }
 

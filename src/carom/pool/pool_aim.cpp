@@ -47,6 +47,10 @@ const PoolPlay* PoolAim::play(const Session& session) const {
 
 std::optional<BallId> PoolAim::cue_ball(const Session& session) const {
     const ShotsState* const shots = shots_of(session);
+    if (shots && chosen_) {
+        const std::vector<BallId> balls = cue_balls_of(session.scene(), *shots);
+        if (std::ranges::count(balls, *chosen_) > 0) return chosen_;
+    }
     const auto ball = shots           ? cue_ball_of(session.scene(), *shots)
                       : play(session) ? play(session)->balls[0]
                                       : std::optional(session.scene().pool.cue->ball);
@@ -98,6 +102,7 @@ void PoolAim::begin_turn(const Session& session) {
     pot_ = 0;
     pot_text_.clear();
     has_aimed_ = false;
+    chosen_.reset();
     aim_at_nearest(session);
 }
 

@@ -27,6 +27,12 @@ class PoolAim {
 
     /// The ball that the cue strikes; none while it is pocketed.
     std::optional<BallId> cue_ball(const Session& session) const;
+    /// Whether the player strikes one of several balls (Cue::balls), and chooses which.
+    bool may_choose(const Session& session) const;
+    /// Strikes this ball from now on. False: the player may not, and nothing changes.
+    bool choose(const Session& session, BallId ball);
+    /// The next of the balls that the player may strike. Pre: may_choose().
+    void choose_next(const Session& session, bool backwards);
     /// Whether the balls are at rest and no choice is due.
     bool may_aim(const Session& session) const;
     /// Whether the cue ball is in hand and may be placed.
@@ -91,6 +97,7 @@ class PoolAim {
     std::optional<int> nearest_pocket(const Session& session, Vec2 object, Vec2 way) const;
 
     ShotSetup setup_;
+    std::optional<BallId> chosen_;  ///< of several; of no meaning once it is another player's turn
     bool is_match_ = false;
     bool has_aimed_ = false;  ///< the player has aimed in this turn, so the bearing is kept
     std::size_t pot_ = 0;

@@ -1,11 +1,12 @@
 #include <algorithm>
 
 #include "carom/pool/pool_aim.h"
+#include "carom/pool/pool_status.h"
 #include "game/ai/pool_shots.h"
 #include "game/commands/aiming.h"
 #include "game/referees/referee.h"
 
-/// The call of the next shot.
+/// The call of the next shot, and which ball it strikes.
 namespace carom {
 
 bool PoolAim::call_pocket(const Session& session, Vec2 place) {
@@ -99,6 +100,27 @@ std::vector<Command> PoolAim::shot(const Session& session) {
         commands.push_back(command::CallShot{what});
     commands.push_back(strike(session));
     return commands;
+}
+
+bool PoolAim::may_choose(const Session& session) const {
+    const ShotsState* shots = shots_of(session);
+    return shots && may_aim(session) && cue_balls_of(session.scene(), *shots).size() > 1;
+}
+
+bool PoolAim::choose(const Session& session, BallId ball) {
+    if (!may_choose(session)) return false;
+    const std::vector<BallId> balls = cue_balls_of(session.scene(), *shots_of(session));
+    if (std::ranges::count(balls, ball) == 0) return false;
+    chosen_ = ball;
+    is_seen_ = false;
+    return true;
+}
+
+void PoolAim::choose_next(const Session& session, bool backwards) {
+    const std::vector<BallId> balls = cue_balls_of(session.scene(), *shots_of(session));
+    const auto now = std::ranges::find(balls, cue_ball(session).value_or(balls.front()));
+    const auto index = static_cast<std::size_t>(now - balls.begin());
+    choose(session, balls[(index + (backwards ? balls.size() - 1 : 1)) % balls.size()]);
 }
 
 }  // namespace carom

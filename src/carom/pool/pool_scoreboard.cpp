@@ -30,11 +30,14 @@ PoolPanel::Player player_of(const PoolPlay& play, int player, const PlayerNames&
     return shown;
 }
 
-PoolPanel::Player player_of(const ShotsState& shots, std::uint32_t player,
+// Its score, and its cue ball, where each player has one.
+PoolPanel::Player player_of(const Scene& scene, const ShotsState& shots, std::uint32_t player,
                             const PlayerNames& names) {
     PoolPanel::Player shown;
     shown.name = names[player];
-    shown.group = fmt::format("{} points", shots.players[player].score);
+    shown.frames = shots.players[player].score;
+    const std::vector<Cue>& cues = scene.pool.cues;
+    if (cues.size() > 1) shown.group = cue_name(scene, cues[player % cues.size()]);
     shown.is_turn = shots.rules.player == player && !shots.is_over;
     return shown;
 }
@@ -52,7 +55,8 @@ PoolPanel scoreboard_of(const Session& session, const PlayerNames& names) {
     }
     if (const auto* shots = std::get_if<ShotsState>(&session.game());
         shots && shots->players.size() == 2)
-        panel.players = {player_of(*shots, 0, names), player_of(*shots, 1, names)};
+        panel.players = {player_of(session.scene(), *shots, 0, names),
+                         player_of(session.scene(), *shots, 1, names)};
     for (const Rack& rack : session.scene().pool.racks)
         for (std::size_t i = 0; i < rack.balls.size(); ++i)
             if (!index_of(session.world(), rack.balls[i]))

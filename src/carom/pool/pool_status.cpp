@@ -34,6 +34,8 @@ void add_pool_title(const Session& session, const PlayerNames& names,
     info.title_comes_first = true;
     if (!pool) {
         info.title = turn_text(session.scene(), *shots_of(session));
+        const std::string task = task_text(session.scene(), session.world(), *shots_of(session));
+        if (!task.empty()) info.title += (info.title.empty() ? "" : "   ") + task;
         return;
     }
     info.title = turn_text(*pool, names) + (time_left ? ", " + clock_text(*time_left) : "");

@@ -156,6 +156,7 @@ void serve_next(Pinball game) {
 void begin_game_again(Pinball game) {
     PinballState& state = game.state;
     ++state.games;
+    state.goal = {.shots = 0, .begun = game.now(), .done = {}};
     state.score = 0;
     state.ball = 1;
     state.extra_balls = 0;
@@ -274,6 +275,7 @@ void update_pinball(const Scene& scene, World& world, PinballState& state,
         serve(game);
     }
     move_flippers(game);
+    note_goal(game);
     if (!state.message.empty() && world.tick() >= state.message_until) state.message.clear();
 }
 

@@ -61,7 +61,7 @@ class PinballAnswers : public RuleHost {
     std::uint64_t now() const override { return world_.tick(); }
     double rate() const override { return world_.rate(); }
     std::int64_t quantity(RuleQuantity what) const override;
-    std::int64_t count(const RuleBalls&) const override {
+    std::int64_t count(const RuleBalls&, const RulePlace*) const override {
         return static_cast<std::int64_t>(world_.balls().size());
     }
     std::pair<std::int64_t, std::int64_t> lights(std::uint32_t group) const override {
@@ -214,9 +214,16 @@ void run_rules(Pinball game) {
     end_timers(host.rules());
 }
 
+void note_goal(Pinball game) {
+    if (game.scene.rules.goals.empty() || !game.is_scoring()) return;
+    note_goal(game.scene.rules, game.state.rules, PinballHost(game), game.state.goal);
+}
+
 std::string task_text(const Scene& scene, const World& world, const PinballState& state) {
-    if (scene.rules.tasks.empty()) return {};
-    return task_text(scene.rules, state.rules, PinballAnswers(scene, world, state));
+    if (scene.rules.tasks.empty() && scene.rules.goals.empty()) return {};
+    const PinballAnswers answers(scene, world, state);
+    std::string task = task_text(scene.rules, state.rules, answers);
+    return task.empty() ? goal_text(scene.rules, answers, state.goal) : task;
 }
 
 void save_for(Pinball game, double seconds) {

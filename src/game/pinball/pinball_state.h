@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/rules/goal.h"
 #include "game/rules/rule_state.h"
 #include "level/scene/pinball_table.h"
 #include "physics/world/ids.h"
@@ -94,6 +95,8 @@ struct PinballState {
     };
     /// By player; that of the player whose turn it is is out of date. Empty: one player.
     std::vector<Parked> parked;
+
+    GoalState goal;  ///< of the level; no shots are counted
 
     std::string message;
     std::uint64_t message_until = 0;

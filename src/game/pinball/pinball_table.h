@@ -50,6 +50,8 @@ void apply_rules(Pinball game, std::uint32_t device, RuleEvent event);
 void apply_rules(Pinball game, RuleEvent moment);
 /// Begins a game and a turn where one is due, and ends timers.
 void run_rules(Pinball game);
+/// Notes that the goal of the level is reached, if it has one.
+void note_goal(Pinball game);
 
 /// Raises drop targets that are due, once no ball is in the way (pinball_devices.cpp).
 void raise_targets(Pinball game);

@@ -37,7 +37,9 @@ std::int64_t operand(const RuleBook& book, const RuleState& state, const RuleHos
         case RuleStep::What::quantity:
             return clamped(host.quantity(static_cast<RuleQuantity>(step.number)));
         case RuleStep::What::count:
-            return host.count(book.balls[index]);
+            return host.count(
+                book.balls[index],
+                step.place < 0 ? nullptr : &book.places[static_cast<std::size_t>(step.place)]);
         case RuleStep::What::lit:
             return host.lights(index).second;
         case RuleStep::What::seconds:
@@ -180,18 +182,21 @@ void happen(Rules rules, RuleEvent event, std::uint32_t subject, int depth) {
     if (depth > deepest) return;  // rules that light each other in a cycle
     const RuleBook::Row* const row = rules_of(rules.book, event, subject);
     if (!row) return;
-    std::vector<const Rule*> due;
+    std::vector<detail::Due> due;
     for (std::uint32_t i = row->first; i < row->last; ++i) {
         const Rule& rule = rules.book.rules[rules.book.order[i]];
-        if (hold(rules.book, rules.state, rules.host, rule.needs)) due.push_back(&rule);
+        if (hold(rules.book, rules.state, rules.host, rule.needs)) due.push_back({&rule, {}});
     }
     detail::carry_out(rules, due, depth);
 }
 
-void detail::carry_out(Rules rules, const std::vector<const Rule*>& due, int depth) {
-    for (const Rule* rule : due)
-        for (const RuleAction& action : rule->actions)
+void detail::carry_out(Rules rules, const std::vector<Due>& due, int depth) {
+    for (const auto& [rule, it] : due)
+        for (const RuleAction& action : rule->actions) {
+            rules.host.it = it;
             if (may_act(rules)) act(rules, action, depth);
+        }
+    rules.host.it.reset();
 }
 
 void end_timers(Rules rules) {

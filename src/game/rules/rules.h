@@ -27,13 +27,16 @@ class RuleHost {
     virtual double rate() const = 0;        ///< ticks a second
     /// A number that the game keeps. Quantities that it does not know are 0.
     virtual std::int64_t quantity(RuleQuantity what) const = 0;
-    /// How many of these balls are in play.
-    virtual std::int64_t count(const RuleBalls& balls) const = 0;
+    /// How many of these balls are in play; with a place, how many of them lie in it.
+    virtual std::int64_t count(const RuleBalls& balls, const RulePlace* place) const = 0;
     /// How many devices of a group there are, and how many of them are lit.
     virtual std::pair<std::int64_t, std::int64_t> lights(std::uint32_t group) const = 0;
     /// Carries out an action that is not about variables and timers. `value` is that of its
     /// RuleAction::value. `depth` grows with each event that an action causes in turn.
     virtual void act(const RuleAction& action, std::int64_t value, int depth) = 0;
+
+    /// The ball that the event named last, for a rule that says `it`; none: no such event.
+    std::optional<std::uint32_t> it;
 };
 
 /// The rules of a level in a game, while they process events.
@@ -53,7 +56,8 @@ void begin_scope(const RuleBook& book, RuleState& state, RuleScope scope);
 /// Events that actions cause go no deeper than 8.
 void happen(Rules rules, RuleEvent event, std::uint32_t subject = no_subject, int depth = 0);
 
-/// An event of balls: `is_met` says whether it is one that the rule waits for.
+/// An event of balls: `is_met` says whether it is one that the rule waits for, and sets
+/// RuleHost::it.
 template <typename IsMet>
 void happen_if(Rules rules, RuleEvent event, IsMet&& is_met);
 
@@ -81,19 +85,23 @@ std::size_t bytes_of(const RuleState& state);
 std::int64_t saturating_sum(std::int64_t a, std::int64_t b);
 
 namespace detail {
-/// Carries out the rules `due`, whose conditions have been tested.
-void carry_out(Rules rules, const std::vector<const Rule*>& due, int depth);
+/// A rule whose conditions have been tested, and the ball that it calls `it`.
+struct Due {
+    const Rule* rule = nullptr;
+    std::optional<std::uint32_t> it;
+};
+void carry_out(Rules rules, const std::vector<Due>& due, int depth);
 }  // namespace detail
 
 template <typename IsMet>
 void happen_if(Rules rules, RuleEvent event, IsMet&& is_met) {
     const RuleBook::Row* const row = rules_of(rules.book, event, no_subject);
     if (!row) return;
-    std::vector<const Rule*> due;
+    std::vector<detail::Due> due;
     for (std::uint32_t i = row->first; i < row->last; ++i) {
         const Rule& rule = rules.book.rules[rules.book.order[i]];
         if (is_met(rule) && hold(rules.book, rules.state, rules.host, rule.needs))
-            due.push_back(&rule);
+            due.push_back({&rule, rules.host.it});
     }
     detail::carry_out(rules, due, 0);
 }

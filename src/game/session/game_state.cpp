@@ -70,6 +70,7 @@ std::uint64_t digest_of(const World& world, const PinballState& s, int version) 
         digest.add(std::uint64_t{watch.searches});
     }
     add_to(digest, s.rules);
+    if (s.goal.done) add_to(digest, s.goal);
     for (const PinballState::Parked& parked : s.parked) {
         digest.add(static_cast<std::uint64_t>(parked.score));
         digest.add(std::uint64_t{parked.extra_balls});
@@ -98,6 +99,7 @@ std::vector<Vec2> places_of(const Command& command) {
 GameState begin_game(const Scene& scene) {
     if (const auto pool = begin_pool(scene)) return *pool;
     if (auto shots = begin_shots(scene)) return *std::move(shots);
+    if (auto goal = begin_goal(scene); goal && scene.table.is_empty()) return *std::move(goal);
     if (scene.table.is_empty()) return {};
     return begin_pinball(scene);
 }
@@ -108,6 +110,7 @@ void update_game(const Scene& scene, World& world, GameState& game,
         update_pinball(scene, world, *pinball, contacts);
     if (auto* pool = std::get_if<PoolPlay>(&game)) update_pool(scene, world, *pool, contacts);
     if (auto* shots = std::get_if<ShotsState>(&game)) update_shots(scene, world, *shots, contacts);
+    if (auto* goal = std::get_if<GoalPlay>(&game)) update_goal(scene, world, *goal);
 }
 
 bool is_within_reach(const Scene& scene, const Command& command) {
@@ -150,6 +153,8 @@ void execute(const Scene& scene, World& world, GameState& game, const Command& c
         execute(scene, world, *pool, command);
     else if (auto* shots = std::get_if<ShotsState>(&game))
         execute(scene, world, *shots, command);
+    else if (auto* goal = std::get_if<GoalPlay>(&game))
+        execute(scene, world, *goal, command);
     else
         execute(world, command);
 }
@@ -175,6 +180,8 @@ std::uint64_t fingerprint(const World& world, const GameState& game, int version
         return digest_of(fingerprint(world, version), *shots);
     if (const auto* pinball = std::get_if<PinballState>(&game))
         return digest_of(world, *pinball, version);
+    if (const auto* goal = std::get_if<GoalPlay>(&game))
+        return digest_of(fingerprint(world, version), *goal);
     return fingerprint(world, version);
 }
 
@@ -213,7 +220,6 @@ Tallies tallies_of(const ShotsState& shots) {
         all.emplace_back("score" + std::to_string(i + 1), shots.players[i].score);
     for (std::size_t i = 0; i < shots.players.size(); ++i)
         all.emplace_back("fouls" + std::to_string(i + 1), shots.players[i].fouls);
-    if (shots.done) all.emplace_back("done", std::int64_t{shots.done->shots});
     return all;
 }
 
@@ -229,13 +235,35 @@ Tallies tallies_of(const PinballState& pinball) {
     return all;
 }
 
+Tallies tallies_of(const GoalPlay& play) {
+    return {{"shots", std::int64_t{play.goal.shots}}};
+}
+
+Tallies tallies_of(const std::monostate&) {
+    return {};
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::int64_t>> tallies(const GameState& game) {
-    if (const auto* pool = std::get_if<PoolPlay>(&game)) return tallies_of(*pool);
-    if (const auto* shots = std::get_if<ShotsState>(&game)) return tallies_of(*shots);
-    if (const auto* pinball = std::get_if<PinballState>(&game)) return tallies_of(*pinball);
-    return {};
+    Tallies all = std::visit([](const auto& play) { return tallies_of(play); }, game);
+    if (const GoalState* const goal = goal_state(game); goal && goal->done) {
+        all.emplace_back("done", std::int64_t{goal->done->shots});
+        all.emplace_back("stars", std::int64_t{goal->done->stars});
+    }
+    return all;
+}
+
+const GoalState* goal_state(const GameState& game) {
+    if (const auto* shots = std::get_if<ShotsState>(&game)) return &shots->goal;
+    if (const auto* pinball = std::get_if<PinballState>(&game)) return &pinball->goal;
+    if (const auto* play = std::get_if<GoalPlay>(&game)) return &play->goal;
+    return nullptr;
+}
+
+int stars_of(const GameState& game) {
+    const GoalState* const goal = goal_state(game);
+    return goal && goal->done ? goal->done->stars : 0;
 }
 
 const RuleState* rule_state(const GameState& game) {
@@ -248,6 +276,7 @@ std::string task_text(const Scene& scene, const World& world, const GameState& g
     if (const auto* shots = std::get_if<ShotsState>(&game)) return task_text(scene, world, *shots);
     if (const auto* pinball = std::get_if<PinballState>(&game))
         return task_text(scene, world, *pinball);
+    if (const auto* goal = std::get_if<GoalPlay>(&game)) return task_text(scene, world, *goal);
     return {};
 }
 

@@ -12,6 +12,7 @@
 #include "game/commands/command.h"
 #include "game/pinball/pinball_state.h"
 #include "game/pool/pool.h"
+#include "game/shots/goal_play.h"
 #include "game/shots/shots.h"
 #include "level/scene/scene.h"
 #include "physics/world/contact.h"
@@ -23,7 +24,7 @@
 namespace carom {
 
 /// One alternative for each family of games; std::monostate without rules.
-using GameState = std::variant<std::monostate, PinballState, PoolPlay, ShotsState>;
+using GameState = std::variant<std::monostate, PinballState, PoolPlay, ShotsState, GoalPlay>;
 
 /// The state at the start of the scene.
 GameState begin_game(const Scene& scene);
@@ -62,6 +63,10 @@ std::vector<std::pair<std::string, std::int64_t>> tallies(const GameState& game)
 
 /// The state of the level's rules; null: it has none.
 const RuleState* rule_state(const GameState& game);
+/// How far the goal of the level is; null: it has none.
+const GoalState* goal_state(const GameState& game);
+/// The stars of a goal that is reached, 0 to most_stars.
+int stars_of(const GameState& game);
 /// What to do now, in a line, by the rules of the level; empty: they do not say.
 std::string task_text(const Scene& scene, const World& world, const GameState& game);
 

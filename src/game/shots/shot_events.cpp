@@ -28,17 +28,20 @@ void meet(ShotsPlay& play, std::uint32_t a, std::uint32_t b) {
         note(play.state.met, {Meeting::What::balls, std::min(a, b), std::max(a, b)});
     happen_if(play.rules(), RuleEvent::balls_meet, [&](const Rule& rule) {
         if (rule.once && !is_first) return false;
-        return (matches(play, rule.subject, a) && matches(play, rule.other, b)) ||
-               (matches(play, rule.subject, b) && matches(play, rule.other, a));
+        const bool is_forth = matches(play, rule.subject, a) && matches(play, rule.other, b);
+        play.it = is_forth ? b : a;
+        return is_forth || (matches(play, rule.subject, b) && matches(play, rule.other, a));
     });
 }
 
 void hit_edge(ShotsPlay& play, std::uint32_t ball, CapsuleId edge) {
     const bool is_first = note(play.state.met, {Meeting::What::edge, ball, number(edge)});
     happen_if(play.rules(), RuleEvent::rail, [&](const Rule& rule) {
+        play.it = ball;
         return (is_first || !rule.once) && matches(play, rule.subject, ball);
     });
     happen_if(play.rules(), RuleEvent::edge_hit, [&](const Rule& rule) {
+        play.it = ball;
         return (is_first || !rule.once) &&
                std::ranges::binary_search(play.scene.rules.places[rule.subject].edges, edge) &&
                matches(play, rule.other, ball);
@@ -107,6 +110,7 @@ std::vector<Meeting> visits(const ShotsPlay& play) {
 void visit(ShotsPlay& play, const Meeting& visit, RuleEvent event) {
     const bool is_first = event == RuleEvent::place_left || note(play.state.met, visit);
     happen_if(play.rules(), event, [&](const Rule& rule) {
+        play.it = visit.a;
         return (is_first || !rule.once) && rule.subject == visit.b &&
                matches(play, rule.other, visit.a);
     });
@@ -136,6 +140,7 @@ void happen_at_pockets(ShotsPlay& play) {
         play.state.balls[*ball].reset();
         const auto zone = static_cast<std::uint32_t>(removal.zone);
         happen_if(play.rules(), RuleEvent::pocketed, [&](const Rule& rule) {
+            play.it = *ball;
             if (!matches(play, rule.subject, *ball)) return false;
             if (rule.other == no_subject) return true;
             const auto& zones = play.scene.rules.places[rule.other].zones;

@@ -43,8 +43,10 @@ void begin_turn(ShotsPlay& play) {
     happen(play.rules(), RuleEvent::turn_begins);
 }
 
-// A cue ball that a pocket took returns to its start.
+// A cue ball that a pocket took returns to its start, unless there are others to strike.
 void return_cue_ball(ShotsPlay& play) {
+    if (play.state.struck && !play.state.balls[*play.state.struck]) play.state.struck.reset();
+    if (!cue_balls_of(play.scene, play.state).empty()) return;
     const std::uint32_t cue = cue_of(play.scene, play.state);
     if (!play.state.balls[cue]) put(play, cue, start_of(play.scene, cue));
 }
@@ -55,6 +57,7 @@ void conclude(ShotsPlay& play) {
     if (state.verdict > Verdict::turn) return end_game(play.scene, state);
     if (std::exchange(state.verdict, Verdict::none) == Verdict::turn) {
         state.rules.player = (state.rules.player + 1) % play.scene.rules.players;
+        state.struck.reset();
         begin_turn(play);
         if (state.verdict > Verdict::turn) return end_game(play.scene, state);
         state.verdict = Verdict::none;
@@ -69,13 +72,6 @@ void end_shot(ShotsPlay& play) {
     conclude(play);
 }
 
-void note_goal(ShotsPlay& play) {
-    const RuleBook& book = play.scene.rules;
-    if (book.goals.empty() || play.state.done) return;
-    if (!hold(book, play.state.rules, play, book.goals.front().needs)) return;
-    play.state.done = {play.state.shots, play.world.tick()};
-}
-
 void begin_shot(ShotsPlay& play) {
     ShotsState& state = play.state;
     state.is_shooting = true;
@@ -83,6 +79,7 @@ void begin_shot(ShotsPlay& play) {
     state.message.clear();
     state.is_foul = false;
     ++state.shots;
+    state.goal.shots = state.shots;
     ++state.players[state.rules.player].shots;
     begin_scope(play.scene.rules, state.rules, RuleScope::shot);
     begin_shot_events(play);
@@ -119,7 +116,7 @@ void play_again(const Scene& scene, World& world, ShotsState& state) {
     const std::uint32_t game = state.games + 1;
     state = fresh(scene);
     state.games = game;
-    state.begun = world.tick();
+    state.goal.begun = world.tick();
     const std::vector<Vec2> places = places_of(scene, game);
     for (std::uint32_t ball = 0; ball < state.balls.size(); ++ball)
         state.balls[ball] = add_ball(world, spec_at_rest(scene.world, ball, places[ball]));
@@ -138,11 +135,25 @@ const Cue& cue_in_turn(const Scene& scene, const ShotsState& state) {
 }
 
 std::uint32_t cue_of(const Scene& scene, const ShotsState& state) {
-    return static_cast<std::uint32_t>(*index_of(scene.world, cue_in_turn(scene, state).ball));
+    if (state.struck) return *state.struck;
+    const auto number = [&](BallId ball) {
+        return static_cast<std::uint32_t>(*index_of(scene.world, ball));
+    };
+    const Cue& cue = cue_in_turn(scene, state);
+    for (const BallId ball : cue.balls)
+        if (state.balls[number(ball)]) return number(ball);
+    return number(cue.ball);
 }
 
 std::optional<BallId> cue_ball_of(const Scene& scene, const ShotsState& state) {
     return state.balls[cue_of(scene, state)];
+}
+
+std::vector<BallId> cue_balls_of(const Scene& scene, const ShotsState& state) {
+    std::vector<BallId> there;
+    for (const BallId ball : cue_in_turn(scene, state).balls)
+        if (const auto& now = state.balls[*index_of(scene.world, ball)]) there.push_back(*now);
+    return there;
 }
 
 void update_shots(const Scene& scene, World& world, ShotsState& state,
@@ -157,13 +168,15 @@ void update_shots(const Scene& scene, World& world, ShotsState& state,
         end_shot(play);
     else if (!state.is_shooting && state.verdict != Verdict::none)
         conclude(play);  // of a timer, between two shots
-    note_goal(play);
+    note_goal(scene.rules, state.rules, play, state.goal);
 }
 
 void execute(const Scene& scene, World& world, ShotsState& state, const Command& command) {
     if (std::holds_alternative<command::RackAgain>(command)) return play_again(scene, world, state);
     execute(world, command);
-    if (!std::holds_alternative<command::Strike>(command)) return;
+    const auto* const strike = std::get_if<command::Strike>(&command);
+    if (!strike) return;
+    if (cue_in_turn(scene, state).balls.size() > 1) state.struck = number_of(state, strike->ball);
     ShotsPlay play(scene, world, state);
     begin_shot(play);
 }
@@ -198,8 +211,8 @@ std::uint64_t digest_of(std::uint64_t start, const ShotsState& state) {
             add(meeting.b);
         }
     }
-    add(state.done ? static_cast<std::int64_t>(state.done->tick) : -1);
-    add(state.begun);
+    if (state.struck) add(*state.struck);
+    add_to(digest, state.goal);
     return digest.value();
 }
 

@@ -30,10 +30,12 @@ void update_shots(const Scene& scene, World& world, ShotsState& state,
 
 /// The cue of the player whose turn it is.
 const Cue& cue_in_turn(const Scene& scene, const ShotsState& state);
-/// The ball that it strikes, by number.
+/// The ball that it strikes, by number; where the player chooses, the last one chosen.
 std::uint32_t cue_of(const Scene& scene, const ShotsState& state);
 /// The ball itself; none: it is off the table.
 std::optional<BallId> cue_ball_of(const Scene& scene, const ShotsState& state);
+/// The balls on the table that the player may strike now, in the order of the level.
+std::vector<BallId> cue_balls_of(const Scene& scene, const ShotsState& state);
 
 /// Why the player cannot shoot now, as a sentence; none: it can.
 std::optional<std::string> refusal_to_shoot(const World& world, const ShotsState& state);
@@ -44,14 +46,15 @@ std::optional<std::string> refusal(const Scene& scene, const World& world, const
 /// Pre: not refused.
 void execute(const Scene& scene, World& world, ShotsState& state, const Command& command);
 
-/// "player 1: 3, player 2: 5; player 2 shoots"; who won, where the game is over.
+/// What a cue strikes: the name of its ball; of several, that of their kind.
+std::string cue_name(const Scene& scene, const Cue& cue);
+/// "3 : 5, player 2 shoots (yellow)"; who won, where the game is over.
 std::string turn_text(const Scene& scene, const ShotsState& state);
 /// The task that the rules show now (`task` in a level); else the goal; empty: neither.
 std::string task_text(const Scene& scene, const World& world, const ShotsState& state);
 
-/// How well the goal of the level was reached, 0 to 3: a goal without limits gives 3. 0: not yet,
-/// or not within its limits, or the level has no goal.
-int stars_of(const Scene& scene, const World& world, const ShotsState& state);
+/// The part of the table that the rules want to be seen; none: all of it.
+std::optional<Box> box_to_look_at(const Scene& scene, const ShotsState& state);
 
 /// The digest of the whole state, combined with `start`.
 std::uint64_t digest_of(std::uint64_t start, const ShotsState& state);

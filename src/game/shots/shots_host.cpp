@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "game/pool/pool.h"
 #include "game/pool/table_places.h"
 #include "game/shots/shots.h"
 #include "game/shots/shots_play.h"
+#include "geometry/closest.h"
 
 // What the rules ask of a game of shots, and do to it.
 namespace carom {
@@ -19,13 +21,29 @@ void respot(ShotsPlay& play, const RuleAction& action) {
         action.place < 0 ? nullptr
                          : &play.scene.rules.places[static_cast<std::size_t>(action.place)];
     for (std::uint32_t ball = 0; ball < play.state.balls.size(); ++ball) {
-        if (!is_among(play.scene, play.state, balls, ball)) continue;
+        if (!play.is_meant(balls, ball)) continue;
         if (!place) {
             put(play, ball, start_of(play.scene, ball));
             continue;
         }
         const Capsule& shape = play.world.zones()[place->zones.front()].shape;
         put(play, ball, (shape.start + shape.end) * 0.5);
+    }
+}
+
+// Balls leave the table: all of them, or those inside or outside of a place.
+void remove(ShotsPlay& play, const RuleAction& action) {
+    const RuleBalls& balls = play.scene.rules.balls[action.index];
+    for (std::uint32_t ball = 0; ball < play.state.balls.size(); ++ball) {
+        std::optional<BallId>& id = play.state.balls[ball];
+        if (!id || !play.is_meant(balls, ball)) continue;
+        const bool is_kept =
+            action.place >= 0 &&
+            play.lies_in(play.scene.rules.places[static_cast<std::size_t>(action.place)], ball) ==
+                action.is_outside;
+        if (is_kept) continue;
+        remove_ball(play.world, *id);
+        id.reset();
     }
 }
 
@@ -42,13 +60,16 @@ bool is_among(const Scene& scene, const ShotsState& state, const RuleBalls& ball
               std::uint32_t ball) {
     const auto cue_of_player = [&](std::uint32_t player) {
         const std::vector<Cue>& cues = scene.pool.cues;
-        return cues[player % cues.size()].ball == scene.world.balls().id[ball];
+        return std::ranges::count(cues[player % cues.size()].balls, scene.world.balls().id[ball]) >
+               0;
     };
     switch (balls.who) {
         case RuleBalls::Who::any:
             return true;
         case RuleBalls::Who::cue:
-            return cue_of_player(state.rules.player);
+            return cue_of(scene, state) == ball;
+        case RuleBalls::Who::it:
+            return false;  // ShotsAnswers::is_meant knows it
         case RuleBalls::Who::opponent:
             return cue_of_player((state.rules.player + 1) % scene.rules.players) &&
                    !cue_of_player(state.rules.player);
@@ -93,15 +114,29 @@ std::int64_t ShotsAnswers::quantity(RuleQuantity what) const {
             return player.fouls;
         case RuleQuantity::best:
             return std::ranges::max(state_.players, {}, &ShotsState::Player::score).score;
+        case RuleQuantity::rest:
+            return is_at_rest(world_) ? 1 : 0;
         default:
             return 0;
     }
 }
 
-std::int64_t ShotsAnswers::count(const RuleBalls& balls) const {
+bool ShotsAnswers::is_meant(const RuleBalls& balls, std::uint32_t ball) const {
+    return balls.who == RuleBalls::Who::it ? it == ball : is_among(scene_, state_, balls, ball);
+}
+
+bool ShotsAnswers::lies_in(const RulePlace& place, std::uint32_t ball) const {
+    const auto index = state_.balls[ball] ? index_of(world_, *state_.balls[ball]) : std::nullopt;
+    return index && std::ranges::any_of(place.zones, [&](std::uint32_t zone) {
+               return is_inside(world_.zones()[zone].shape, world_.balls().position[*index]);
+           });
+}
+
+std::int64_t ShotsAnswers::count(const RuleBalls& balls, const RulePlace* place) const {
     std::int64_t there = 0;
     for (std::uint32_t ball = 0; ball < state_.balls.size(); ++ball)
-        if (state_.balls[ball] && is_among(scene_, state_, balls, ball)) ++there;
+        if (state_.balls[ball] && is_meant(balls, ball) && (!place || lies_in(*place, ball)))
+            ++there;
     return there;
 }
 
@@ -133,6 +168,12 @@ void ShotsPlay::act(const RuleAction& action, std::int64_t value, int) {
             break;
         case What::respot:
             respot(*this, action);
+            break;
+        case What::remove:
+            remove(*this, action);
+            break;
+        case What::look:
+            state.look = action.place;
             break;
         case What::inhand:
             state.is_in_hand = true;

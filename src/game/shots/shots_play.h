@@ -22,9 +22,14 @@ class ShotsAnswers : public RuleHost {
     std::uint64_t now() const override { return world_.tick(); }
     double rate() const override { return world_.rate(); }
     std::int64_t quantity(RuleQuantity what) const override;
-    std::int64_t count(const RuleBalls& balls) const override;
+    std::int64_t count(const RuleBalls& balls, const RulePlace* place) const override;
     std::pair<std::int64_t, std::int64_t> lights(std::uint32_t) const override { return {0, 0}; }
     void act(const RuleAction&, std::int64_t, int) override {}
+
+    /// Whether ball number `ball` is one of these; `it` is known too.
+    bool is_meant(const RuleBalls& balls, std::uint32_t ball) const;
+    /// Whether ball number `ball` is on the table and its centre in one of the place's zones.
+    bool lies_in(const RulePlace& place, std::uint32_t ball) const;
 
   private:
     const Scene& scene_;

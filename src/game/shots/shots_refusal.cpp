@@ -27,7 +27,7 @@ bool is_on_cloth(const Scene& scene, const World& world, Vec2 from, Vec2 place, 
 Refusal refused(const Scene& scene, const World& world, const ShotsState& state,
                 const command::Strike& strike) {
     if (auto why = refusal_to_shoot(world, state)) return why;
-    if (cue_ball_of(scene, state) != std::optional(strike.ball))
+    if (std::ranges::count(cue_balls_of(scene, state), strike.ball) == 0)
         return "that is not the cue ball of the player whose turn it is";
     if (auto why = refusal(world, Command(strike))) return why;
     const double most = cue_in_turn(scene, state).most_power;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/rules/goal.h"
 #include "game/rules/rule_state.h"
 #include "physics/world/ids.h"
 
@@ -29,6 +30,9 @@ struct ShotsState {
     std::uint32_t shots = 0;                   ///< of this game
     std::uint32_t games = 0;                   ///< finished or given up before this one
 
+    /// The ball of the last shot, where the player chooses among several; none: the first of them
+    /// that is on the table.
+    std::optional<std::uint32_t> struck;
     bool is_shooting = false;
     /// What the rules have decided, and what happens after `shot judged`.
     enum class Verdict : std::uint8_t { none, turn, win, lose, end };
@@ -52,15 +56,9 @@ struct ShotsState {
     std::vector<Meeting> touching;  ///< balls that lie at edges, until they leave them
     std::vector<Meeting> inside;    ///< balls in places, ascending
 
-    /// When the level's goal was reached: the shots so far, and the tick; none: not yet.
-    struct Done {
-        std::uint32_t shots = 0;
-        std::uint64_t tick = 0;
+    GoalState goal;  ///< of the level
 
-        friend bool operator==(const Done&, const Done&) = default;
-    };
-    std::optional<Done> done;
-    std::uint64_t begun = 0;  ///< the tick in which this game began
+    std::int32_t look = -1;  ///< the picture shows this place of RuleBook; -1: the whole table
 
     std::string message;  ///< of the last shot, for the player
     bool is_foul = false;

@@ -87,6 +87,25 @@ std::optional<BallId> ball_named(const Scene& scene, std::string_view name) {
     return scene.world.balls().id[static_cast<std::size_t>(named - scene.ball_names.begin())];
 }
 
+// The balls that a cue strikes: in `game shots` all of this name, or of this kind; else one.
+std::vector<BallId> balls_of_cue(const Scene& scene, std::string_view name,
+                                 const std::vector<StartingBall>& balls, const LevelIr& ir) {
+    std::vector<BallId> struck;
+    const auto add_if = [&](auto&& is_meant) {
+        for (std::size_t i = 0; ir.settings.is_shots && i < balls.size(); ++i)
+            if (is_meant(balls[i])) struck.push_back(scene.world.balls().id[i]);
+    };
+    add_if([&](const StartingBall& ball) {
+        if (ball.binding < 0) return false;
+        const auto& bound = ir.ball_bindings[static_cast<std::size_t>(ball.binding)].name;
+        return bound && bound->text == name;
+    });
+    if (!struck.empty()) return struck;
+    if (const auto ball = ball_named(scene, name)) return {*ball};
+    add_if([&](const StartingBall& ball) { return scene.kind_names[ball.kind] == name; });
+    return struck;
+}
+
 // The balls that the game needs beside its rack.
 void find_others(Scene& scene, Context& context) {
     const LevelSettings& settings = context.ir.settings;
@@ -140,8 +159,9 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
     scene.pool.rules = ir.settings.rules;
     find_others(scene, context);
     for (const CueIr& cue : ir.cues) {
-        if (const auto ball = ball_named(scene, cue.ball.text)) {
-            scene.pool.cues.push_back({*ball, cue.least_power, cue.most_power});
+        const std::vector<BallId> struck = balls_of_cue(scene, cue.ball.text, balls, ir);
+        if (!struck.empty()) {
+            scene.pool.cues.push_back({struck.front(), struck, cue.least_power, cue.most_power});
             scene.pool.cue = scene.pool.cues.front();
             continue;
         }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "level/statements/rule_actions.h"
@@ -28,9 +29,12 @@ std::optional<std::string> never_gives(DeviceKind kind, RuleEvent event) {
 
 // Replaces the indices into RuleIr::names by those of what the names denote.
 void renumber(RuleValue& value, const std::vector<std::uint32_t>& meanings) {
-    for (RuleStep& step : value)
+    for (RuleStep& step : value) {
         if (step.what == RuleStep::What::count || step.what == RuleStep::What::lit)
             step.number = meanings[static_cast<std::size_t>(step.number)];
+        if (step.place >= 0)
+            step.place = static_cast<std::int32_t>(meanings[static_cast<std::size_t>(step.place)]);
+    }
 }
 
 void renumber(RuleText& text, const std::vector<std::uint32_t>& meanings) {
@@ -53,7 +57,7 @@ void renumber(RuleAction& action, const std::vector<std::uint32_t>& meanings) {
     renumber(action.value, meanings);
     renumber(action.text, meanings);
     if (action.what == light || action.what == unlight || action.what == reset ||
-        action.what == advance || action.what == respot)
+        action.what == advance || action.what == respot || action.what == remove)
         action.index = meanings[action.index];
     if (action.place >= 0)
         action.place = static_cast<std::int32_t>(meanings[static_cast<std::size_t>(action.place)]);
@@ -166,6 +170,12 @@ bool RuleAssembly::resolve_visit(RuleIr& spec) {
 
 bool RuleAssembly::resolve_ball_event(RuleIr& spec) {
     using enum RuleEvent;
+    if (spec.subject.text == "it" || (spec.other && spec.other->text == "it")) {
+        refuse("it-without-ball", spec.subject.text == "it" ? spec.subject : *spec.other,
+               "an event names the ball, and its conditions and actions call it 'it'",
+               "write ball for any ball, or a name");
+        return false;
+    }
     if (spec.rule.event == all) {
         refuse("event-of-other-game", spec.event, "only parts of a pinball table light up",
                "count with a variable instead");
@@ -209,8 +219,22 @@ bool RuleAssembly::check_actions(const RuleIr& spec) {
     return false;
 }
 
+// `it` is the ball that an event names last, so there is none without such an event.
+bool RuleAssembly::check_it(const std::vector<RuleNameIr>& names, const Rule* rule) {
+    using enum RuleEvent;
+    constexpr std::array with_ball{balls_meet, rail, pocketed, place_entered, place_left, edge_hit};
+    if (rule && !is_pinball() && std::ranges::count(with_ball, rule->event) > 0) return true;
+    const auto it = std::ranges::find_if(names, [](const RuleNameIr& name) {
+        return name.role == Role::balls && name.word.text == "it";
+    });
+    if (it == names.end()) return true;
+    refuse("it-without-ball", it->word, "'it' is the ball of an event of balls",
+           "name the ball, or wait for hit, rail, pocketed, enter or leave");
+    return false;
+}
+
 void RuleAssembly::resolve_rule(RuleIr& spec) {
-    if (!resolve_subject(spec) || !check_actions(spec)) return;
+    if (!resolve_subject(spec) || !check_actions(spec) || !check_it(spec.names, &spec.rule)) return;
     const auto meanings = resolve(spec.names);
     if (!meanings) return;
     renumber(spec.rule.needs, *meanings);
@@ -219,48 +243,62 @@ void RuleAssembly::resolve_rule(RuleIr& spec) {
     book_.rules.push_back(spec.rule);
 }
 
+// Rules and tasks need a game that follows them; a goal does not, but a referee has its own.
+bool RuleAssembly::check_placement() {
+    if (has_game()) return true;
+    if (!ir_.rules.empty() || !ir_.tasks.empty()) {
+        refuse("rules-without-game",
+               ir_.rules.empty() ? ir_.tasks.front().text : ir_.rules.front().subject,
+               "rules need a game that follows them", "say which: game pinball, or game shots");
+        return false;
+    }
+    const GameRow* game = ir_.settings.game ? game_named(*ir_.settings.game) : nullptr;
+    if (ir_.goals.empty() || !game || !game->rack) return !ir_.goals.empty();
+    refuse("goal-of-referee", ir_.goals.front().text,
+           fmt::format("the goal of game {} is to win", game->name),
+           "take the goal out, or play without game");
+    return false;
+}
+
+void RuleAssembly::resolve_goals() {
+    for (GoalIr& spec : ir_.goals) {
+        if (!check_it(spec.names, nullptr)) continue;
+        const auto meanings = resolve(spec.names);
+        if (!meanings) continue;
+        renumber(spec.goal.needs, *meanings);
+        book_.goals.push_back(spec.goal);
+    }
+}
+
 void RuleAssembly::check() {
     book_.variables = ir_.variables;
     book_.timers = ir_.timers;
     book_.players = ir_.settings.players;
     book_.is_shots = ir_.settings.is_shots;
     book_.least_wins = ir_.settings.least_wins;
-    const bool has_game = is_pinball() || book_.is_shots;
-    if (!has_game) {
-        if (!ir_.rules.empty() || !ir_.tasks.empty() || !ir_.goals.empty()) {
-            const Word& at = !ir_.rules.empty()   ? ir_.rules.front().subject
-                             : !ir_.tasks.empty() ? ir_.tasks.front().text
-                                                  : ir_.goals.front().text;
-            refuse("rules-without-game", at, "rules need a game that follows them",
-                   "say which: game pinball, or game shots");
-        }
-        return;
-    }
+    if (!check_placement()) return;
     for (RuleIr& rule : ir_.rules)
         resolve_rule(rule);
     for (TaskIr& spec : ir_.tasks) {
+        if (!check_it(spec.names, nullptr)) continue;
         const auto meanings = resolve(spec.names);
         if (!meanings) continue;
         renumber(spec.task.needs, *meanings);
         renumber(spec.task.text, *meanings);
         book_.tasks.push_back(spec.task);
     }
-    for (GoalIr& spec : ir_.goals) {
-        const auto meanings = resolve(spec.names);
-        if (!meanings) continue;
-        renumber(spec.goal.needs, *meanings);
-        book_.goals.push_back(spec.goal);
-    }
+    resolve_goals();
     check_symbols();
     check_motions();
     if (context_.reporter.has_errors()) return;
+    if (!has_game()) return;
     check_game();
     check_events();
 }
 
 void RuleAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones) {
     for (const BallsIr& set : ball_sets_) {
-        RuleBalls balls{set.who, {}};
+        RuleBalls balls{set.who, {}, set.kind};
         for (const std::uint32_t ball : set.balls)
             balls.balls.push_back(scene.world.balls().id[ball]);
         std::ranges::sort(balls.balls);

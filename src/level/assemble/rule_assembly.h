@@ -32,6 +32,7 @@ class RuleAssembly {
     using Role = RuleNameIr::Role;
 
     bool is_pinball() const { return ir_.settings.table.is_game; }
+    bool has_game() const { return is_pinball() || ir_.settings.is_shots; }
     std::nullopt_t refuse(FaultCode code, const Word& at, std::string message, std::string remedy);
 
     // rule_assembly.cpp: rules
@@ -43,6 +44,9 @@ class RuleAssembly {
     bool resolve_meeting(RuleIr& spec);
     bool resolve_visit(RuleIr& spec);
     bool check_actions(const RuleIr& spec);
+    bool check_placement();
+    void resolve_goals();
+    bool check_it(const std::vector<RuleNameIr>& names, const Rule* rule);
 
     // rule_names.cpp: what names denote
     std::optional<std::vector<std::uint32_t>> resolve(const std::vector<RuleNameIr>& names);
@@ -68,6 +72,7 @@ class RuleAssembly {
     struct BallsIr {
         RuleBalls::Who who = RuleBalls::Who::listed;
         std::vector<std::uint32_t> balls;  ///< indices into `balls_`
+        std::int32_t kind = -1;            ///< RuleBalls::kind
     };
     struct PlaceIr {
         std::string name;

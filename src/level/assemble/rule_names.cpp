@@ -29,8 +29,8 @@ std::optional<std::uint32_t> RuleAssembly::find_balls(std::string_view name) {
         return found->second;
     BallsIr set;
     using enum RuleBalls::Who;
-    if (name == "ball" || name == "cue" || name == "opponent") {
-        set.who = name == "ball" ? any : name == "cue" ? cue : opponent;
+    if (name == "ball" || name == "cue" || name == "opponent" || name == "it") {
+        set.who = name == "ball" ? any : name == "cue" ? cue : name == "it" ? it : opponent;
     } else {
         const std::size_t dot = name.find('.');
         const std::string_view base = name.substr(0, dot);
@@ -48,10 +48,15 @@ std::optional<std::uint32_t> RuleAssembly::find_balls(std::string_view name) {
         };
         for (std::uint32_t i = 0; i < balls_.size(); ++i)
             if (is_called(balls_[i])) set.balls.push_back(i);
-        if (set.balls.empty() && number == 0)
-            for (std::uint32_t i = 0; i < balls_.size(); ++i)
-                if (is_of_kind(balls_[i])) set.balls.push_back(i);
-        if (number > set.balls.size() || set.balls.empty()) return std::nullopt;
+        const auto kind = std::ranges::find(names_.kind_names, base);
+        const bool is_kind = set.balls.empty() && number == 0 && kind != names_.kind_names.end();
+        for (std::uint32_t i = 0; is_kind && i < balls_.size(); ++i)
+            if (is_of_kind(balls_[i])) set.balls.push_back(i);
+        // Without a game, balls of the kind may come later.
+        if (is_kind && !has_game())
+            set.kind = static_cast<std::int32_t>(kind - names_.kind_names.begin());
+        else if (number > set.balls.size() || set.balls.empty())
+            return std::nullopt;
         if (number > 0) set.balls = {set.balls[number - 1]};
     }
     const auto index = static_cast<std::uint32_t>(ball_sets_.size());

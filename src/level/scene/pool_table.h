@@ -14,6 +14,8 @@ namespace carom {
 /// The ball that the cue strikes, and the speeds that a stroke may give it, length/s.
 struct Cue {
     BallId ball{};
+    /// Those among which the player chooses, in `game shots`; `ball` is the first.
+    std::vector<BallId> balls{};
     double least_power = 0.0;
     double most_power = 0.0;
 };

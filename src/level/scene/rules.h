@@ -85,12 +85,13 @@ enum class RuleQuantity : std::uint8_t {
     fouls,       ///< shots: that the player has made
     best,        ///< the highest score of all players
     multiball,   ///< pinball: 1 while two balls or more are in play, else 0
+    rest,        ///< 1 while no ball moves, else 0; not in pinball
     count
 };
 
-inline constexpr std::string_view quantity_names[] = {"score", "player",     "players",  "ball",
-                                                      "bonus", "multiplier", "innings",  "shots",
-                                                      "fouls", "best",       "multiball"};
+inline constexpr std::string_view quantity_names[] = {"score", "player",     "players",   "ball",
+                                                      "bonus", "multiplier", "innings",   "shots",
+                                                      "fouls", "best",       "multiball", "rest"};
 
 /// A step of a value in postfix order, on a stack of whole numbers. Sums and products saturate at
 /// most_rule_number, either way.
@@ -99,7 +100,8 @@ struct RuleStep {
         number,    ///< pushes `number`
         variable,  ///< pushes the variable with this index
         quantity,  ///< pushes the RuleQuantity
-        count,     ///< pushes how many of the balls with this index (RuleBook::balls) are in play
+        count,     ///< pushes how many of the balls with this index (RuleBook::balls) are in play,
+                   ///< or lie in `place`
         lit,       ///< pushes how many devices of this group are lit
         seconds,   ///< pushes the whole seconds left of this timer, rounded up
         add,
@@ -110,6 +112,7 @@ struct RuleStep {
     };
     What what = What::number;
     std::int64_t number = 0;  ///< or the index
+    std::int32_t place = -1;  ///< count: index into RuleBook::places; -1: anywhere
 };
 using RuleValue = std::vector<RuleStep>;
 
@@ -160,7 +163,9 @@ struct RuleAction {
         end,         ///< the game ends; the score decides
         turn,        ///< shots: the turn passes after this shot
         respot,      ///< shots: the balls `index` return to their places, or to `place`
+        remove,      ///< shots: the balls `index` leave the table: all, or by `place`
         inhand,      ///< shots: the next shooter places the cue ball, anywhere or in `place`
+        look,        ///< shots: the picture shows `place`, or the whole table
         bonus,       ///< pinball: adds `value` to the bonus, or sets it
         multiplier,  ///< pinball: of the bonus
         multiball,   ///< pinball: `value` balls in play
@@ -177,6 +182,7 @@ struct RuleAction {
     double seconds = 0.0;
     std::uint32_t index = 0;
     std::int32_t place = -1;  ///< index into RuleBook::places; -1: none
+    bool is_outside = false;  ///< remove: those that lie outside of `place`, else inside
     RuleText text;
 };
 
@@ -221,11 +227,13 @@ struct RuleBalls {
     enum class Who : std::uint8_t {
         listed,
         any,
-        cue,      ///< that which the player whose turn it is strikes
-        opponent  ///< that which the next player strikes
+        cue,       ///< that which the player whose turn it is strikes
+        opponent,  ///< those which the next player strikes
+        it         ///< the ball that the event named last
     };
     Who who = Who::listed;
     std::vector<BallId> balls;  ///< as at the start, ascending
+    std::int32_t kind = -1;     ///< all of this kind, also those that come later; -1: by `balls`
 };
 
 /// Pockets, zones or edges of one name.

@@ -24,6 +24,7 @@ enum class Takes {
     timer,
     timer_and_maybe_time,
     balls_and_maybe_place,
+    balls_and_maybe_side,
     maybe_place,
     text
 };
@@ -55,7 +56,9 @@ constexpr ActionShape shapes[] = {
     {"foul", What::foul, Takes::text, shots, "foul \"TEXT\""},
     {"turn", What::turn, Takes::nothing, shots, "turn"},
     {"respot", What::respot, Takes::balls_and_maybe_place, shots, "respot BALLS ZONE"},
+    {"remove", What::remove, Takes::balls_and_maybe_side, shots, "remove BALLS outside ZONE"},
     {"inhand", What::inhand, Takes::maybe_place, shots, "inhand ZONE"},
+    {"look", What::look, Takes::maybe_place, shots, "look ZONE"},
     {"win", What::win, Takes::nothing, shots, "win"},
     {"lose", What::lose, Takes::nothing, shots, "lose"},
     {"end", What::end, Takes::nothing, shots, "end"},
@@ -86,6 +89,8 @@ Counts words_of(Takes takes) {
         case Takes::timer_and_maybe_time:
         case Takes::balls_and_maybe_place:
             return {2, 3};
+        case Takes::balls_and_maybe_side:
+            return {2, 4};
         default:
             return {2, 2};
     }
@@ -121,6 +126,9 @@ class ActionReader {
                 action.index = reader_.name(words[1], Role::balls);
                 if (words.size() == 3) read_place(words[2], action);
                 return true;
+            case Takes::balls_and_maybe_side:
+                action.index = reader_.name(words[1], Role::balls);
+                return words.size() == 2 || read_side(words, action);
             case Takes::maybe_place:
                 if (words.size() == 2) read_place(words[1], action);
                 return true;
@@ -135,6 +143,19 @@ class ActionReader {
   private:
     void read_place(const Word& word, RuleAction& action) {
         action.place = static_cast<std::int32_t>(reader_.name(word, RuleNameIr::Role::place));
+    }
+
+    // inside ZONE, outside ZONE
+    bool read_side(std::span<const Word> words, RuleAction& action) {
+        action.is_outside = words[2].text == "outside";
+        if (words.size() == 4 && (action.is_outside || words[2].text == "inside")) {
+            read_place(words[3], action);
+            return true;
+        }
+        context_.reporter.error("action-malformed", words[2].span(),
+                                fmt::format("'{}' is not expected here", words[2].text),
+                                fmt::format("write it as: {}; or inside ZONE", shape_.sample));
+        return false;
     }
 
     bool read_time(const Word& word, RuleAction& action) {
@@ -205,6 +226,17 @@ class ActionReader {
     RuleWords& reader_;
 };
 
+// The actions of the level's game; of both games while it is not known.
+std::vector<std::string_view> names_offered(const Context& context) {
+    const LevelSettings& settings = context.ir.settings;
+    std::vector<std::string_view> names;
+    for (const ActionShape& shape : shapes)
+        if ((shape.games != pinball || !settings.is_shots) &&
+            (shape.games != shots || !settings.table.is_game))
+            names.push_back(shape.name);
+    return names;
+}
+
 const ActionShape* shape_named(const Word& word, const Context& context) {
     const auto symbol = context.ir.rule_symbols.find(word.text);
     if (symbol != context.ir.rule_symbols.end() && !symbol->second.is_timer) return &of_variable;
@@ -231,14 +263,15 @@ bool read_rule_action(std::span<const Word> words, const Scope& scope, Context& 
                       RuleWords& reader, RuleIr& rule) {
     const ActionShape* shape = shape_named(words[0], context);
     if (!shape) {
-        std::vector<std::string_view> known = names_of(shapes);
+        std::vector<std::string_view> known = names_offered(context);
+        const std::string all = fmt::format("{}", fmt::join(known, " "));
         for (const auto& [name, symbol] : context.ir.rule_symbols)
             known.push_back(name);
-        context.reporter.error("unknown-action", words[0].span(),
-                               fmt::format("there is no action '{}'", words[0].text),
-                               did_you_mean(words[0].text, known,
-                                            fmt::format("there are: {}, and variables (var NAME)",
-                                                        fmt::join(names_of(shapes), " "))));
+        context.reporter.error(
+            "unknown-action", words[0].span(),
+            fmt::format("there is no action '{}'", words[0].text),
+            did_you_mean(words[0].text, known,
+                         fmt::format("there are: {}, and variables (var NAME)", all)));
         return false;
     }
     const Counts counts = words_of(shape->takes);

@@ -3,33 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <string>
 
 #include "level/ir/numbers.h"
+#include "level/text/spelling.h"
 
-// This file is over 320 lines because it holds one idea, the parser of the words of a rule.
 namespace carom {
 namespace {
-
-using Relation = RuleCondition::Relation;
-
-struct Sign {
-    std::string_view text;
-    Relation relation;
-};
-// Longer signs first: each is found before its own beginning.
-constexpr std::array signs{Sign{"<=", Relation::at_most}, Sign{">=", Relation::at_least},
-                           Sign{"!=", Relation::unequal}, Sign{"<", Relation::less},
-                           Sign{">", Relation::more},     Sign{"=", Relation::equal}};
-
-const Sign* sign_at(std::string_view text) {
-    const auto found =
-        std::ranges::find_if(signs, [&](const Sign& sign) { return text.starts_with(sign.text); });
-    return found == signs.end() ? nullptr : found;
-}
-
-constexpr std::string_view sign_characters = "<>=!";
 
 bool is_digit(char c) {
     return (c >= '0' && c <= '9') || c == '.';
@@ -104,7 +83,46 @@ std::nullopt_t RuleWords::malformed(const Word& at) {
     return std::nullopt;
 }
 
+// Reports the first name in `word` that neither the rules nor the numbers of the level know. A
+// function is none of the names to suggest: what is missing is a variable.
+bool RuleWords::knows_names(const Word& word) {
+    const std::string_view text = word.text;
+    std::uint64_t cost = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const bool is_number = is_digit(text[at]);
+        const std::size_t from = at;
+        while (at < text.size() &&
+               (continues_identifier(text[at]) || (is_number && is_digit(text[at]))))
+            ++at;
+        if (at == from) {
+            ++at;
+            continue;
+        }
+        const std::string_view name = text.substr(from, at - from);
+        const bool is_call = at < text.size() && text[at] == '(';
+        if (is_call && (name == "count" || name == "lit"))
+            at = std::min(text.find(')', at), text.size());
+        if (is_number || is_call) continue;
+        if (name == "pi" || context_.ir.rule_symbols.contains(name) || rule_quantity_named(name) ||
+            scope_.find(name, cost) || context_.top_level_lets.contains(name))
+            continue;
+        std::vector<std::string_view> known(std::begin(quantity_names), std::end(quantity_names));
+        for (const auto& [other, symbol] : context_.ir.rule_symbols)
+            known.push_back(other);
+        for (const auto& [other, line] : context_.top_level_lets)
+            known.push_back(other);
+        context_.reporter.error(
+            "unknown-name", word.part(from, at - from).span(),
+            fmt::format("'{}' is not known", name),
+            did_you_mean(name, known, fmt::format("declare it above: var {}", name)));
+        return false;
+    }
+    context_.work.spend(cost);
+    return true;
+}
+
 std::optional<RuleValue> RuleWords::value(const Word& word, std::string_view label, Bound bound) {
+    if (!knows_names(word)) return std::nullopt;
     if (!mentions_rules(word.text)) {
         const auto number =
             read_number(word, {label, " "}, Measure::whole, bound, scope_, context_);
@@ -213,121 +231,22 @@ bool RuleWords::call(Cursor& cursor, const Word& function, RuleValue& out) {
                 ++cursor.at;
             argument = cursor.word.part(from, cursor.at - from);
         }
-        if (argument.text.empty() || !cursor.take(')')) return false;
         const bool is_count = function.text == "count";
-        const auto role = is_count ? RuleNameIr::Role::balls : RuleNameIr::Role::lights;
-        return push(cursor, {is_count ? count : lit, std::int64_t{name(argument, role)}}, out);
+        if (argument.text.empty()) return false;
+        RuleStep step{is_count ? count : lit};
+        step.number = name(argument, is_count ? RuleNameIr::Role::balls : RuleNameIr::Role::lights);
+        if (is_count && cursor.take(',')) {
+            const Word place = cursor.identifier();
+            if (place.text.empty()) return false;
+            step.place = static_cast<std::int32_t>(name(place, RuleNameIr::Role::place));
+        }
+        return cursor.take(')') && push(cursor, step, out);
     }
-    context_.reporter.error("unknown-function", function.span(),
-                            fmt::format("a rule has no function '{}'", function.text),
-                            "there are: count(BALLS) lit(LAMPS) min(A,B) max(A,B)");
+    context_.reporter.error(
+        "unknown-function", function.span(),
+        fmt::format("a rule has no function '{}'", function.text),
+        "there are: count(BALLS) count(BALLS,ZONE) lit(LAMPS) min(A,B) max(A,B)");
     return false;
-}
-
-std::optional<RuleCondition> RuleWords::comparison(const Word& left, std::string_view sign,
-                                                   const Word& right) {
-    RuleCondition made;
-    made.relation = sign_at(sign)->relation;
-    auto a = value(left, "", Bound::any);
-    auto b = a ? value(right, "", Bound::any) : std::nullopt;
-    if (!b) return std::nullopt;
-    made.left = std::move(*a);
-    made.right = std::move(*b);
-    return made;
-}
-
-// One condition: a>=b, or with spaces; or the name of a variable, a timer or lights.
-std::optional<RuleCondition> RuleWords::condition(const std::vector<Word>& words,
-                                                  std::size_t& next) {
-    const Word& word = words[next];
-    const std::size_t at = word.text.find_first_of(sign_characters);
-    if (at != std::string_view::npos && at > 0) {
-        const Sign* sign = sign_at(word.text.substr(at));
-        const std::size_t end = at + (sign ? sign->text.size() : 1);
-        ++next;
-        if (!sign || end == word.text.size()) return malformed(word);
-        return comparison(word.part(0, at), sign->text, word.part(end));
-    }
-    if (next + 2 < words.size() && sign_at(words[next + 1].text) &&
-        sign_at(words[next + 1].text)->text == words[next + 1].text) {
-        next += 3;
-        return comparison(word, words[next - 2].text, words[next - 1]);
-    }
-    ++next;
-    RuleCondition made;
-    if (const RuleSymbolIr* symbol = read_symbol(word.text); symbol && symbol->is_timer) {
-        made.what = RuleCondition::What::running;
-        made.index = symbol->index;
-        return made;
-    }
-    if (mentions_rules(word.text)) {
-        auto number = value(word, "", Bound::any);
-        if (!number) return std::nullopt;
-        made.left = std::move(*number);
-        made.right = {{RuleStep::What::number, 0}};
-        made.relation = Relation::unequal;
-        return made;
-    }
-    made.what = RuleCondition::What::lit;
-    made.index = name(word, RuleNameIr::Role::lights);
-    return made;
-}
-
-std::optional<std::vector<RuleClause>> RuleWords::clauses(const std::vector<Word>& words,
-                                                          std::size_t& next) {
-    std::vector<RuleClause> made;
-    const auto is_lead = [&](std::size_t i) {
-        return i < words.size() &&
-               (words[i].text == "if" || words[i].text == "while" || words[i].text == "unless");
-    };
-    while (is_lead(next)) {
-        RuleClause clause;
-        clause.is_not = words[next].text == "unless";
-        do {
-            ++next;
-            if (next == words.size()) {
-                malformed(words[next - 1]);
-                return std::nullopt;
-            }
-            auto one = condition(words, next);
-            if (!one) return std::nullopt;
-            clause.all.push_back(std::move(*one));
-        } while (next < words.size() && words[next].text == "and");
-        made.push_back(std::move(clause));
-    }
-    return made;
-}
-
-std::optional<RuleText> RuleWords::text(const Word& word, std::string_view sample) {
-    if (word.text.size() < 2 || word.text.front() != '"') {
-        context_.reporter.error("message-without-quotes", word.span(), "a message stands in quotes",
-                                fmt::format("write it as: {}", sample));
-        return std::nullopt;
-    }
-    RuleText made;
-    for (std::size_t at = 1; at + 1 < word.text.size();) {
-        const std::size_t last = word.text.size() - 1;
-        const std::size_t open = std::min(word.text.find('{', at), last);
-        if (open > at) made.pieces.emplace_back(std::string(word.text.substr(at, open - at)));
-        if (open == last) break;
-        const std::size_t close = word.text.find('}', open);
-        if (close == std::string_view::npos || close == open + 1) {
-            context_.reporter.error("message-brace", word.part(open, 1).span(),
-                                    "a brace in a message holds a value",
-                                    "write it as: \"{score} points\"");
-            return std::nullopt;
-        }
-        const Word inside = word.part(open + 1, close - open - 1);
-        if (const RuleSymbolIr* symbol = read_symbol(inside.text); symbol && symbol->is_timer) {
-            made.pieces.emplace_back(RuleText::Clock{symbol->index});
-        } else {
-            auto number = value(inside, "", Bound::any);
-            if (!number) return std::nullopt;
-            made.pieces.emplace_back(std::move(*number));
-        }
-        at = close + 1;
-    }
-    return made;
 }
 
 }  // namespace carom

@@ -36,6 +36,7 @@ class RuleWords {
   private:
     struct Cursor;
     bool mentions_rules(std::string_view text) const;
+    bool knows_names(const Word& word);
     bool sum(Cursor& cursor, RuleValue& out);
     bool product(Cursor& cursor, RuleValue& out);
     bool atom(Cursor& cursor, RuleValue& out);

@@ -35,7 +35,7 @@ constexpr std::array event_words{EventWord{"hit", RuleEvent::hit, {}, true},
 
 // Words that stand for balls, so that no action can begin with them.
 bool is_ball_word(std::string_view word) {
-    return word == "ball" || word == "cue" || word == "opponent";
+    return word == "ball" || word == "cue" || word == "opponent" || word == "it";
 }
 
 class RuleReader {

@@ -17,9 +17,9 @@ namespace carom {
 struct PoolPanel {
     struct Player {
         std::string name;
-        std::string group;      ///< "solids"; empty: not decided, or the game has none
-        std::vector<int> left;  ///< numbers of its balls on the table
-        std::uint32_t frames = 0;
+        std::string group;        ///< "solids"; empty: not decided, or the game has none
+        std::vector<int> left;    ///< numbers of its balls on the table
+        std::int64_t frames = 0;  ///< or the score of a game that has no frames
         bool is_turn = false;
     };
     std::optional<std::array<Player, 2>> players;  ///< none: no game is played

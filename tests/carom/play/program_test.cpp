@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "carom/files/high_scores.h"
 #include "carom/support/home.h"
 #include "game/replay/replay_text.h"
 #include "game/replay/replayer.h"
@@ -375,4 +376,35 @@ TEST_CASE(
         CHECK(running.sees(told.c_str()) == (version != physics_version));
         CHECK(running.sees("tick 210"));
     }
+}
+
+TEST_CASE("a goal that is reached gives stars, which the menu shows from then on") {
+    const Home home;
+    home.write("goal.level", R"(carom 1 "A goal"
+use gravity 0,-10
+ball falls at=0,0
+zone low 0,-20 0,-20 r=5
+goal "Fall." within 1 10 20 seconds if count(falls,low)=1
+)");
+    CHECK(load_stars("goal.level") == 0);
+    {
+        Running running(playing("goal.level"));
+        REQUIRE_FALSE(running.program.start());
+        running.pass(0.5);
+        CHECK(running.sees("Fall."));
+        CHECK(load_stars("goal.level") == 0);
+        for (int i = 0; i < 4; ++i)
+            running.pass(0.5);
+        CHECK(running.sees("Done in 1."));
+        CHECK(running.sees("2 of 3 stars"));
+        CHECK(load_stars("goal.level") == 2);
+    }
+    CHECK_FALSE(keep_stars("goal.level", 1));
+    CHECK(load_stars("goal.level") == 2);
+    Running menu{PlayOptions{}};
+    REQUIRE_FALSE(menu.program.start());
+    menu.key(U'A');
+    for (const char c : std::string(" goal"))
+        menu.key(static_cast<char32_t>(c));
+    CHECK(menu.sees("**."));
 }

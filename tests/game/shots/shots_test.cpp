@@ -10,10 +10,12 @@
 #include "game/session/session.h"
 #include "game/shots/shots_play.h"
 #include "game/support/shipped.h"
+#include "game/support/shots_game.h"
 #include "level/load.h"
 
 using namespace carom;
 using carom::test::shipped_level;
+using carom::test::ShotsGame;
 
 namespace {
 
@@ -38,26 +40,9 @@ Scene scene_of(const std::string& rules) {
     return std::move(*loaded.scene);
 }
 
-struct Game {
-    explicit Game(const Scene& scene) : session(scene, pick_solver(scene.world).settings) {
-        session.step_forward();  // the game and the first turn begin
-    }
-    explicit Game(const std::string& rules) : Game(scene_of(rules)) {}
-
-    const ShotsState& state() const { return std::get<ShotsState>(session.game()); }
-    std::int64_t score(std::size_t player) const { return state().players[player].score; }
-
-    void shoot(Vec2 velocity) {
-        const auto cue = cue_ball_of(session.scene(), state());
-        REQUIRE(cue);
-        REQUIRE_FALSE(session.apply(command::Strike{*cue, velocity}));
-        for (int tick = 0; state().is_shooting && tick < 120 * 60; ++tick)
-            session.step_forward();
-        REQUIRE_FALSE(state().is_shooting);
-    }
-    void shoot_softly() { shoot({0.0, 0.2}); }
-
-    Session session;
+struct Game : ShotsGame {
+    using ShotsGame::ShotsGame;
+    explicit Game(const std::string& rules) : ShotsGame(scene_of(rules)) {}
 };
 
 }  // namespace
@@ -184,9 +169,9 @@ goal "Be late, then shoot." within 1 2 3 shots if late and shots>=1
         game.session.step_forward();
     CHECK(game.state().rules.player == 1);
     CHECK(game.state().players[0].fouls == 1);
-    CHECK(stars_of(game.session.scene(), game.session.world(), game.state()) == 0);
+    CHECK(stars_of(game.session.game()) == 0);
     game.shoot_softly();
-    CHECK(stars_of(game.session.scene(), game.session.world(), game.state()) == 3);
+    CHECK(stars_of(game.session.game()) == 3);
 }
 
 TEST_CASE("shots: only the cue of the player whose turn it is moves anything") {
@@ -266,4 +251,45 @@ on cue pocketed  end
     while (game.session.world().tick() > before.tick())
         REQUIRE(game.session.step_back());
     CHECK(movers() == before.movers());
+}
+
+TEST_CASE("shots: count in a zone, remove inside and outside of it, and it") {
+    Game game(R"(game shots
+zone right 900,350 900,350 r=100
+zone left 300,350 300,350 r=20
+var there of shot
+on shot begins  there count(red,right)+10*count(ball,left)
+on red rail  remove it
+on shot ends  message "{there}", remove cue inside left, remove ball outside right
+on shot judged if count(ball)=0  end
+)");
+    game.shoot({0.0, 0.5});
+    CHECK(game.state().message == "11");
+    // The white lay outside of the right zone, so it returned to its start; the red stays.
+    CHECK(game.session.world().balls().size() == 2);
+    CHECK(game.count_kind("ivory") == 2);
+}
+
+TEST_CASE("shots: a cue over a kind lets the player choose, and cue is the ball that was struck") {
+    Game game(R"(game shots players=2
+kind team r=25 m=150g e=0.9
+ball one kind=team at=300,150
+ball two kind=team at=600,150
+cue ball=team power=0..6m/s
+var rails of shot
+on cue rail  rails +1
+on one rail  rails +10
+on shot ends  message "{rails}", turn
+on shot judged if shots>9  end
+)");
+    game.shoot_softly();
+    const std::vector<BallId> team = cue_balls_of(game.session.scene(), game.state());
+    REQUIRE(team.size() == 2);
+    CHECK(game.session.apply(command::Strike{*game.state().balls[0], {1.0, 0.0}}));
+    game.shoot(command::Strike{team[1], {0.0, -0.6}});
+    CHECK(game.state().message == "1");
+    CHECK(game.state().rules.player == 0);
+    game.shoot_softly();
+    game.shoot(command::Strike{team[0], {0.0, -0.6}});
+    CHECK(game.state().message == "11");
 }

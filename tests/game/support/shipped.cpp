@@ -23,9 +23,10 @@ std::string text_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-Scene shipped_level(const std::string& name) {
+Scene shipped_level(const std::string& name, std::vector<std::string> overrides) {
     const auto folder = std::filesystem::path(CAROM_SOURCE_DIR) / "levels";
     LoadOptions options;
+    options.overrides = std::move(overrides);
     options.resolve_include = [folder](std::string_view, std::string_view path) {
         return std::optional(IncludedFile{std::string(path), text_of(folder / path)});
     };

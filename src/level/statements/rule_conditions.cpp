@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "level/statements/rule_words.h"
+
+// The conditions of rules, and their texts with values in braces: members of RuleWords.
+namespace carom {
+namespace {
+
+using Relation = RuleCondition::Relation;
+
+struct Sign {
+    std::string_view text;
+    Relation relation;
+};
+// Longer signs first: each is found before its own beginning.
+constexpr std::array signs{Sign{"<=", Relation::at_most}, Sign{">=", Relation::at_least},
+                           Sign{"!=", Relation::unequal}, Sign{"<", Relation::less},
+                           Sign{">", Relation::more},     Sign{"=", Relation::equal}};
+
+const Sign* sign_at(std::string_view text) {
+    const auto found =
+        std::ranges::find_if(signs, [&](const Sign& sign) { return text.starts_with(sign.text); });
+    return found == signs.end() ? nullptr : found;
+}
+
+constexpr std::string_view sign_characters = "<>=!";
+
+}  // namespace
+
+std::optional<RuleCondition> RuleWords::comparison(const Word& left, std::string_view sign,
+                                                   const Word& right) {
+    RuleCondition made;
+    made.relation = sign_at(sign)->relation;
+    auto a = value(left, "", Bound::any);
+    auto b = a ? value(right, "", Bound::any) : std::nullopt;
+    if (!b) return std::nullopt;
+    made.left = std::move(*a);
+    made.right = std::move(*b);
+    return made;
+}
+
+// One condition: a>=b, or with spaces; or the name of a variable, a timer or lights.
+std::optional<RuleCondition> RuleWords::condition(const std::vector<Word>& words,
+                                                  std::size_t& next) {
+    const Word& word = words[next];
+    const std::size_t at = word.text.find_first_of(sign_characters);
+    if (at != std::string_view::npos && at > 0) {
+        const Sign* sign = sign_at(word.text.substr(at));
+        const std::size_t end = at + (sign ? sign->text.size() : 1);
+        ++next;
+        if (!sign || end == word.text.size()) return malformed(word);
+        return comparison(word.part(0, at), sign->text, word.part(end));
+    }
+    if (next + 2 < words.size() && sign_at(words[next + 1].text) &&
+        sign_at(words[next + 1].text)->text == words[next + 1].text) {
+        next += 3;
+        return comparison(word, words[next - 2].text, words[next - 1]);
+    }
+    ++next;
+    RuleCondition made;
+    if (const RuleSymbolIr* symbol = read_symbol(word.text); symbol && symbol->is_timer) {
+        made.what = RuleCondition::What::running;
+        made.index = symbol->index;
+        return made;
+    }
+    if (mentions_rules(word.text)) {
+        auto number = value(word, "", Bound::any);
+        if (!number) return std::nullopt;
+        made.left = std::move(*number);
+        made.right = {{RuleStep::What::number, 0}};
+        made.relation = Relation::unequal;
+        return made;
+    }
+    made.what = RuleCondition::What::lit;
+    made.index = name(word, RuleNameIr::Role::lights);
+    return made;
+}
+
+std::optional<std::vector<RuleClause>> RuleWords::clauses(const std::vector<Word>& words,
+                                                          std::size_t& next) {
+    std::vector<RuleClause> made;
+    const auto is_lead = [&](std::size_t i) {
+        return i < words.size() &&
+               (words[i].text == "if" || words[i].text == "while" || words[i].text == "unless");
+    };
+    while (is_lead(next)) {
+        RuleClause clause;
+        clause.is_not = words[next].text == "unless";
+        do {
+            ++next;
+            if (next == words.size()) {
+                malformed(words[next - 1]);
+                return std::nullopt;
+            }
+            auto one = condition(words, next);
+            if (!one) return std::nullopt;
+            clause.all.push_back(std::move(*one));
+        } while (next < words.size() && words[next].text == "and");
+        made.push_back(std::move(clause));
+    }
+    if (!made.empty() && next < words.size() && words[next].text == "or") {
+        context_.reporter.error("condition-or", words[next].span(), "conditions know no 'or'",
+                                "write the line twice, once with each condition");
+        return std::nullopt;
+    }
+    return made;
+}
+
+std::optional<RuleText> RuleWords::text(const Word& word, std::string_view sample) {
+    if (word.text.size() < 2 || word.text.front() != '"') {
+        context_.reporter.error("message-without-quotes", word.span(), "a message stands in quotes",
+                                fmt::format("write it as: {}", sample));
+        return std::nullopt;
+    }
+    RuleText made;
+    for (std::size_t at = 1; at + 1 < word.text.size();) {
+        const std::size_t last = word.text.size() - 1;
+        const std::size_t open = std::min(word.text.find('{', at), last);
+        if (open > at) made.pieces.emplace_back(std::string(word.text.substr(at, open - at)));
+        if (open == last) break;
+        const std::size_t close = word.text.find('}', open);
+        if (close == std::string_view::npos || close == open + 1) {
+            context_.reporter.error("message-brace", word.part(open, 1).span(),
+                                    "a brace in a message holds a value",
+                                    "write it as: \"{score} points\"");
+            return std::nullopt;
+        }
+        const Word inside = word.part(open + 1, close - open - 1);
+        if (const RuleSymbolIr* symbol = read_symbol(inside.text); symbol && symbol->is_timer) {
+            made.pieces.emplace_back(RuleText::Clock{symbol->index});
+        } else {
+            auto number = value(inside, "", Bound::any);
+            if (!number) return std::nullopt;
+            made.pieces.emplace_back(std::move(*number));
+        }
+        at = close + 1;
+    }
+    return made;
+}
+
+}  // namespace carom
