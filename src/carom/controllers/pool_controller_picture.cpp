@@ -16,7 +16,7 @@ void PoolController::annotate(const PlayContext& play, Annotations& annotations)
     if (!play.pointer.tool.has_cue()) Controller::annotate(play, annotations);
 }
 
-// Where the rules show a part of the table, `f` switches to the whole of it and back.
+// Where the rules show a part of the table, `0` switches to the whole of it and back.
 Camera PoolController::fit(const PlayContext& play, const CellArea& area, double aspect) {
     const ShotsState* const shots = shots_of(play.session);
     const auto part = shots ? box_to_look_at(play.session.scene(), *shots) : std::nullopt;
