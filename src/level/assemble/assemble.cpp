@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "geometry/elementary.h"
 #include "level/assemble/amend.h"
@@ -34,14 +35,19 @@ class Assembly {
         check_terms(context_);
         const std::size_t items = ir_.balls.size() + ir_.capsules.size();
         if (context_.reporter.has_errors() && items > most_checked_with_errors) return;
-        collect_balls();
+        collect_stated_balls();
+        if (items_to_come() > most_checked_with_errors && has_early_error()) return;
+        add_fills();
         SymbolTable symbols(ir_, names_, context_);
         symbols.name_balls(balls_);
         MotionAssembly motions(names_, context_);
         motions.check_names();
         amended_ = amend(balls_, symbols, context_);
         motions.place_edges(rate());
-        check_start(present_balls(), names_, context_);
+        if (amended_.is_removed.empty())
+            check_start(balls_, names_, context_);
+        else
+            check_start(present_balls(), names_, context_);
         check_precision(balls_, rate(), context_);
         PinballAssembly table(names_, context_);
         table.collect_devices();
@@ -109,23 +115,38 @@ class Assembly {
         return defaults;
     }
 
-    // Collects all balls in the order of the file. Fills are placed around everything else.
-    void collect_balls() {
-        std::vector<StartingBall> placed;
-        placed.reserve(ir_.balls.size());
+    // Collects all balls but those of fills, in the order of the file.
+    void collect_stated_balls() {
+        balls_.reserve(ir_.balls.size());
         for (std::size_t i = 0; i < ir_.balls.size(); ++i) {
             const int binding = ir_.balls[i].binding;
             if (names_.balls[static_cast<std::size_t>(binding)].is_valid)
-                placed.push_back(starting_ball(i));
+                balls_.push_back(starting_ball(i));
         }
-        if (ir_.fills.empty()) {
-            balls_ = std::move(placed);
-            return;
-        }
-        if (context_.reporter.has_errors()) {
-            balls_ = std::move(placed);  // the place of a fill depends on items that have errors
-            return;
-        }
+    }
+
+    std::uint64_t items_to_come() const {
+        std::uint64_t items = ir_.balls.size() + ir_.capsules.size();
+        for (const FillIr& fill : ir_.fills)
+            items += fill.count;
+        return items;
+    }
+
+    // Of a large level: what can be refused without the balls of fills and without a world, which
+    // take most of the time and memory. What is reported here is not reported again.
+    bool has_early_error() {
+        SymbolTable symbols(ir_, names_, context_);
+        symbols.name_balls(balls_);
+        symbols.check_references();
+        if (ir_.amendments.empty() && !ir_.fills.empty()) check_start(balls_, names_, context_);
+        return context_.reporter.has_errors();
+    }
+
+    // Places the balls of fills around everything else, and inserts them in the order of the file.
+    void add_fills() {
+        // The place of a fill depends on items that may have errors.
+        if (ir_.fills.empty() || context_.reporter.has_errors()) return;
+        const std::vector<StartingBall> placed = std::exchange(balls_, {});
         Obstacles obstacles;
         std::vector<ClassIndex> owners;
         for (const CapsuleIr& edge : ir_.capsules)
@@ -244,7 +265,6 @@ class Assembly {
 
     // Without the removed ones, which keep their numbers until the world is made.
     std::vector<StartingBall> present_balls() const {
-        if (amended_.is_removed.empty()) return balls_;
         std::vector<StartingBall> present;
         for (std::size_t i = 0; i < balls_.size(); ++i)
             if (!amended_.removes(i)) present.push_back(balls_[i]);
