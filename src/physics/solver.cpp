@@ -80,16 +80,18 @@ struct Solver::State {
     MoverStep movers;
     World before;  // a tick that may be repeated
 
-    TickOutcome advance(World& world, const std::function<bool()>& keep_going);
+    TickOutcome advance(World& world, const std::function<bool()>& keep_going,
+                        bool is_strict = false);
     TickOutcome advance_by_trial(World& world, bool has_hands, bool has_movers,
                                  const std::function<bool()>& keep_going);
     bool is_sound_for_movers(const World& world);
 };
 
-TickOutcome Solver::State::advance(World& world, const std::function<bool()>& keep_going) {
+TickOutcome Solver::State::advance(World& world, const std::function<bool()>& keep_going,
+                                   bool is_strict) {
     contacts.clear();
     touched.assign(world.balls().size(), 0);
-    return method->advance(world, {contacts, touched, keep_going});
+    return method->advance(world, {contacts, touched, keep_going, is_strict});
 }
 
 bool Solver::State::is_sound_for_movers(const World& world) {
@@ -101,21 +103,27 @@ bool Solver::State::is_sound_for_movers(const World& world) {
 }
 
 // Repeats the tick with shorter and shorter displacements of hands and movers, until it is sound.
+// Balls may still squash one another where hands do not move: then the tick becomes a strict one.
 TickOutcome Solver::State::advance_by_trial(World& world, bool has_hands, bool has_movers,
                                             const std::function<bool()>& keep_going) {
     before = world;
+    bool is_strict = false;
     for (double share = hands.first_share();;) {
         if (has_hands) hands.aim(world, share);
         if (has_movers) movers.aim(world);
-        const TickOutcome outcome = advance(world, keep_going);
+        const TickOutcome outcome = advance(world, keep_going, is_strict);
         if (outcome == TickOutcome::cancelled) return outcome;
-        const bool suits_hands = !has_hands || share == 0.0 || hands.is_sound(before, world);
+        const bool suits_hands =
+            !has_hands || is_strict ||
+            (share > 0.0 ? hands.is_sound(before, world)
+                         : !method->can_be_strict() || hands.is_free_of_overlap(before, world));
         const bool suits_movers = !has_movers || is_sound_for_movers(world);
         if (suits_hands && suits_movers) {
             if (has_hands) hands.end(world, share);
             if (has_movers) movers.end(world);
             return outcome;
         }
+        is_strict = is_strict || (!suits_hands && share == 0.0);
         if (!suits_hands) share = HandStep::next_share(share);
         world = before;
     }

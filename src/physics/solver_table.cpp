@@ -84,7 +84,7 @@ class ContactMethod final : public SolverMethod {
         was_swept_ = is_flight_only(world);
         if (!was_swept_) {
             keep_contacts(world);
-            contact_.tick(world, substeps_, work.contacts, work.touched);
+            contact_.tick(world, substeps_, work.contacts, work.touched, work.is_strict);
             return TickOutcome::done;
         }
         return tick_without_memory(world, work, [&](CancellationToken& token) {
@@ -92,6 +92,7 @@ class ContactMethod final : public SolverMethod {
                         token);
         });
     }
+    bool can_be_strict() const override { return true; }
     std::span<const std::uint32_t> standing() const override {
         return was_swept_ ? swept_.standing() : contact_.standing();
     }

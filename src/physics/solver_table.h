@@ -21,6 +21,8 @@ struct TickWork {
     std::vector<std::uint8_t>& touched;
     /// Called now and then to ask whether to continue. Empty: the tick cannot be cancelled.
     const std::function<bool()>& keep_going;
+    /// A tick whose bodies may not sink into one another, at any cost: SolverMethod::can_be_strict.
+    bool is_strict = false;
 };
 
 /// How one solver moves a world through a tick: one virtual call a tick, above all loops.
@@ -32,6 +34,10 @@ class SolverMethod {
     /// the next tick may use (trajectories, contacts), and drops the rest, unless the tick is
     /// cancelled: then the caller puts the world back.
     virtual TickOutcome advance(World& world, TickWork work) = 0;
+
+    /// Whether bodies may sink into one another in a tick of this world, and sink in less in a
+    /// strict one.
+    virtual bool can_be_strict() const { return false; }
 
     /// The balls for which time stood still in a part of the last tick, by index, with repetitions.
     virtual std::span<const std::uint32_t> standing() const { return {}; }

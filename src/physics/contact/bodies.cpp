@@ -26,8 +26,9 @@ ContactSoftness softness_of(const World& world, double duration) {
 
 }  // namespace
 
-ContactSubstep contact_substep(const World& world, int count) {
+ContactSubstep contact_substep(const World& world, int count, bool is_strict) {
     ContactSubstep step;
+    step.is_strict = is_strict;
     step.duration = world.tick_length() / count;
     step.flight = flight_over(world.model().drag, step.duration);
     step.gravity = world.model().gravity.value_or(Vec2{});
@@ -110,6 +111,15 @@ void ContactBodies::integrate_velocities(const World& world, const ContactSubste
 
 double overlap_bound(const ContactBodies& bodies, const ContactPair& pair) {
     return contact_tolerance::overlap_limit * smaller_radius(bodies, pair);
+}
+
+double soft_bound(const ContactSubstep& step, const ContactBodies& bodies,
+                  const ContactPair& pair) {
+    const double bound = overlap_bound(bodies, pair);
+    if (step.trusts_constraints()) return bound;
+    const double depth = -std::min(pair.separation, 0.0);
+    const double room = contact_tolerance::strict_overlap * smaller_radius(bodies, pair) - depth;
+    return std::min(bound, depth + contact_tolerance::strict_share * std::max(room, 0.0));
 }
 
 }  // namespace carom

@@ -31,15 +31,19 @@ struct ContactSubstep {
     Vec2 torus;  ///< width and height; 0 on a plane
     bool wraps = false;
     bool spins = false;
+    bool is_strict = false;   ///< ContactSolver::tick
     double rest_speed = 0.0;  ///< a slower approach does not bounce, length/s
     double fall = 0.0;        ///< bound of what gravity adds to a displacement, length
     ContactSoftness softness;
     double spin_ease = 2.0;            ///< m r^2 / inertia
     double friction_mass = 1.0 / 3.0;  ///< mass that friction moves, of a contact's mass
+
+    /// Whether the constraints of later substeps are trusted to part bodies that sink in.
+    bool trusts_constraints() const { return !is_strict && rest_speed > 0.0; }
 };
 
 /// The constants for a tick of `world` in `count` substeps.
-ContactSubstep contact_substep(const World& world, int count);
+ContactSubstep contact_substep(const World& world, int count, bool is_strict);
 
 /// What an impulse changes.
 struct ContactBody {
@@ -118,5 +122,11 @@ inline double smaller_radius(const ContactBodies& bodies, const ContactPair& pai
 
 /// The overlap at which two bodies stop, however hard they are pressed together.
 double overlap_bound(const ContactBodies& bodies, const ContactPair& pair);
+
+/// The overlap at which a pair that need not bounce collides again. Below it, the approach is left
+/// to the constraints of later substeps. Where these are not trusted (in a strict tick, and without
+/// gravity, where pairs that bounce never become constraints) it is a part of the way to
+/// `strict_overlap`, or what the pair has.
+double soft_bound(const ContactSubstep& step, const ContactBodies& bodies, const ContactPair& pair);
 
 }  // namespace carom

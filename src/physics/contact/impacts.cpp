@@ -49,14 +49,15 @@ void ContactImpacts::find_candidates() {
     for (const std::uint32_t p : classification_.ccd())
         if (shrinks(pairs_[p]) > pairs_[p].separation) candidates_.push_back(p);
     // Other pairs may collide only where constraints have pushed a ball far, or overlap deeply.
-    if (2.0 * most_push_ <= closing_gap(bodies_) &&
+    const bool may_sink_in = !step_.trusts_constraints() && !classification_.constraints().empty();
+    if (!may_sink_in && 2.0 * most_push_ <= closing_gap(bodies_) &&
         classification_.deepest() >= -contact_tolerance::deep_overlap * bodies_.smallest_radius)
         return;
     for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
         const ContactPair& pair = pairs_[p];
         if (pair.state == ContactState::ccd) continue;
         const double allowed =
-            pair.state == ContactState::constraint ? overlap_bound(bodies_, pair) : 0.0;
+            pair.state == ContactState::constraint ? soft_bound(step_, bodies_, pair) : 0.0;
         if (shrinks(pair) > pair.separation + allowed) candidates_.push_back(p);
     }
 }
@@ -148,7 +149,7 @@ std::optional<double> ContactImpacts::time_of_impact(const World& world, const C
     const Vec2 chord = paths_.chord_velocity(pair.a, now);
     const double radius = bodies_.radius[pair.a];
     const auto allowed_overlap = [&](Vec2 other_velocity) {
-        return is_soft(pair, other_velocity, now) ? overlap_bound(bodies_, pair) : 0.0;
+        return is_soft(pair, other_velocity, now) ? soft_bound(step_, bodies_, pair) : 0.0;
     };
     std::optional<Impact> impact;
     if (bodies_.is_ball(pair.b)) {

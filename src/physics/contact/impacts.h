@@ -37,7 +37,7 @@ struct ContactEvent {
 /// A pair bounces if it approaches faster than the rest speed and is not enclosed; it may bounce
 /// again later. Otherwise the impact removes the approach, and the pair has *settled*: it does not
 /// bounce again in this substep. Settled pairs and constraints collide again only when they reach
-/// `overlap_bound`. So no body passes through another, and piles are left to the constraints.
+/// their `soft_bound`. So no body passes through another, and piles are left to the constraints.
 class ContactImpacts {
   public:
     ContactImpacts(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs,

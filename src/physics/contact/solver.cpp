@@ -9,9 +9,9 @@
 namespace carom {
 
 void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
-                         std::vector<std::uint8_t>& touched) {
+                         std::vector<std::uint8_t>& touched, bool is_strict) {
     const int count = substeps_needed(world, substeps);
-    step_ = contact_substep(world, count);
+    step_ = contact_substep(world, count, is_strict);
     kinematics_.begin_tick();
     impacts_.begin_tick();
     for (int i = 0; i < count; ++i) {

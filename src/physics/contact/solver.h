@@ -35,8 +35,12 @@ class ContactSolver {
     /// Moves everything by one tick and appends the exchanges to `contacts`: impacts, and each
     /// constraint once, when it begins to press. Sets `touched` for the balls that press on
     /// something at the end of the tick. Pre: `substeps` >= 1.
+    ///
+    /// In a strict tick constraints are not trusted to part bodies: a pair that overlaps by
+    /// `strict_overlap` collides until it approaches no more, which costs more, and piles settle
+    /// more slowly. For ticks in which hands have squashed something otherwise (tick/hands.h).
     void tick(World& world, int substeps, std::vector<Contact>& contacts,
-              std::vector<std::uint8_t>& touched);
+              std::vector<std::uint8_t>& touched, bool is_strict = false);
 
     /// The cells in which the last tick looked for pairs.
     const CellFrame& cells() const { return pairs_.frame(); }

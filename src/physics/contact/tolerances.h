@@ -21,6 +21,8 @@
 /// | enclosed_contacts | 3     | contacts on a ball           | lively piles boil / no ball bounces in a pile |
 /// | overlap_limit     | 0.5   | smaller radius               | balls pass through one another / pressed pairs become CCD |
 /// | soft_overlap      | 0.2   | of overlap_limit             | deep pairs are left to the constraints / falling piles never finish |
+/// | strict_overlap    | 0.018 | smaller radius               | pushes squash jams / jams without gravity stand still longer |
+/// | strict_share      | 0.5   | of the room left             | jams stand still longer, both ways |
 /// | kinematic_overlap | 0.1   | ball's radius                | held edges sink into balls / they stutter |
 /// | deep_overlap      | 0.25  | smallest radius              | overlap goes unnoticed by CCD / every pair is searched |
 /// | closing_margin    | 0.02  | smallest radius              | more idle constraints / pushed balls reach others late |
@@ -73,6 +75,12 @@ inline constexpr double overlap_limit = 0.5;
 /// A constraint that does not bounce is left to the next substep while it overlaps by less than
 /// this share of the limit.
 inline constexpr double soft_overlap = 0.2;
+/// In a strict tick, and without gravity, pairs overlap by no more than this share of the smaller
+/// radius, unless they did before; just below the 0.02 that hands may cause (tick/hands.cpp).
+inline constexpr double strict_overlap = 0.018;
+/// In a substep a pair may take up this share of what is left until there. Without such room every
+/// rest of an approach would be an impact, and jams would reach `most_impacts`.
+inline constexpr double strict_share = 0.5;
 /// A kinematic body goes no further into a ball than this share of the ball's radius.
 inline constexpr double kinematic_overlap = 0.1;
 /// A constraint that overlaps by more than this share of the smallest radius makes the solver look

@@ -15,7 +15,9 @@
 /// How far is found by trial: Solver::tick computes the tick with a share of the displacements of
 /// all hands. If the result is not sound (`is_sound`), it restores the world from a copy and tries
 /// half that share, down to 1/64, and then 0: the hands do not move. The next tick starts from
-/// twice the last share, at most 1.
+/// twice the last share, at most 1. Balls that a hand has thrown may squash others even then: where
+/// that makes overlaps too deep, and the solver can be strict (TickWork::is_strict), the tick is
+/// computed once more, strictly.
 ///
 /// A solver therefore sees a hand as a ball or an edge in uniform motion through the tick, at the
 /// velocity of its displacement, and need not handle hands that cannot move on. What a solver does
@@ -47,12 +49,13 @@ class HandStep {
     /// - a pair that overlaps deeper than before, and by 0.02 radii more than the deepest overlap
     ///   when the first hand took hold.
     bool is_sound(const World& before, const World& after);
+    /// The last of these alone.
+    bool is_free_of_overlap(const World& before, const World& after);
 
   private:
     template <typename Visit>
     void for_each_overlap(const World& world, Visit&& visit);
     double deepest_overlap(const World& world);
-    bool is_free_of_overlap(const World& before, const World& after);
 
     double share_ = 1.0;
     double fastest_ = 0.0;  // pace of the fastest hand

@@ -285,6 +285,35 @@ TEST_CASE("contact: a high heap soon stops oscillating as a whole") {
     CHECK(most < 1e-3);
 }
 
+// Regression: an impact that left no approach let the pair overlap by up to half a radius when the
+// next ball drove them together; without gravity no constraint parted them again.
+TEST_CASE("contact: without gravity, balls that run into a wall are not squashed") {
+    for (const double restitution : {0.0, 0.1, 0.3, 0.5})
+        for (const double rate : {60.0, 120.0, 240.0}) {
+            CAPTURE(restitution);
+            CAPTURE(rate);
+            World world = scenes::empty();
+            world.edit_definition().rate = rate;
+            world.edit_definition().kinds = {
+                {.radius = 1.0, .mass = 1.0, .restitution = restitution}};
+            world.edit_definition().materials = {{.restitution = restitution}};
+            world.edit_definition().model.inelastic = true;
+            add_capsule(world, {{0.0, -10.0}, {0.0, 20.0}, 0.5}, 0);
+            for (int row = 0; row < 3; ++row)
+                for (int i = 0; i < 8; ++i)
+                    add_ball(world, {.position = {4.0 + 2.0 * i + row % 2,
+                                                  1.75 * row + 0.001 * ((i * 7 + row * 5) % 11)},
+                                     .velocity = {-20.0, 0.0}});
+            Solver solver({.kind = SolverKind::contact});
+            double deepest = 0.0;
+            for (int tick = 0; tick < 2.0 * rate; ++tick) {
+                solver.tick(world);
+                deepest = std::max(deepest, deepest_overlap(world));
+            }
+            CHECK(deepest < 0.018 + 1e-9);
+        }
+}
+
 // Regression: what a fast ball hit left its skin and stood still for the rest of the substep, in
 // each of 240 ticks of the level `piston`.
 TEST_CASE("contact: time does not stand still for a fast gas under gravity") {
