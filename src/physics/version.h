@@ -26,7 +26,8 @@ namespace carom {
 ///   no longer takes the velocity of a ball that meets too much in an elastic scene.
 /// - `contact`: constraints give back no more energy than they took (contact/energy.h), and what a
 ///   fast ball hits does not leave its skin. Without gravity, impacts without a bounce are not
-///   left to constraints that nobody makes.
+///   left to constraints that nobody makes. Balls in one place part in all directions, and
+///   stay out of impacts until they have.
 /// - The levels of pool say `use modulus`, by which contacts last under `event`. The end of the
 ///   shot clock is a command.
 /// - `event`: pressed balls that an edge bars from separating do so along the edge

@@ -113,13 +113,18 @@ double overlap_bound(const ContactBodies& bodies, const ContactPair& pair) {
     return contact_tolerance::overlap_limit * smaller_radius(bodies, pair);
 }
 
+bool is_embedded(const ContactBodies& bodies, const ContactPair& pair) {
+    return bodies.is_ball(pair.b) &&
+           -pair.separation > contact_tolerance::embedded * overlap_bound(bodies, pair);
+}
+
 double soft_bound(const ContactSubstep& step, const ContactBodies& bodies,
                   const ContactPair& pair) {
     const double bound = overlap_bound(bodies, pair);
-    if (step.trusts_constraints()) return bound;
     const double depth = -std::min(pair.separation, 0.0);
+    if (step.trusts_constraints()) return std::max(bound, depth);
     const double room = contact_tolerance::strict_overlap * smaller_radius(bodies, pair) - depth;
-    return std::min(bound, depth + contact_tolerance::strict_share * std::max(room, 0.0));
+    return std::max(depth, std::min(bound, depth + contact_tolerance::strict_share * room));
 }
 
 }  // namespace carom

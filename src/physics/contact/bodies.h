@@ -123,6 +123,10 @@ inline double smaller_radius(const ContactBodies& bodies, const ContactPair& pai
 /// The overlap at which two bodies stop, however hard they are pressed together.
 double overlap_bound(const ContactBodies& bodies, const ContactPair& pair);
 
+/// Whether two balls overlap deeper than any that are pressed: they started so, or a player has put
+/// them there.
+bool is_embedded(const ContactBodies& bodies, const ContactPair& pair);
+
 /// The overlap at which a pair that need not bounce collides again. Below it, the approach is left
 /// to the constraints of later substeps. Where these are not trusted (in a strict tick, and without
 /// gravity, where pairs that bounce never become constraints) it is a part of the way to

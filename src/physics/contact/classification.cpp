@@ -1,6 +1,7 @@
 #include "physics/contact/classification.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/closest.h"
 #include "physics/contact/tolerances.h"
@@ -19,7 +20,26 @@ double closing_gap(const ContactBodies& bodies) {
     return contact_tolerance::closing_margin * bodies.smallest_radius;
 }
 
-// The normal and the separation. Where the centres coincide any normal does: up, by choice.
+namespace {
+
+// Where centres coincide any normal does. Balls in one place part fastest if their normals point
+// all round, so each pair has one of its own, by the numbers of its balls; a ball on the spine of
+// an edge goes up.
+Vec2 normal_of_coincident(const World& world, const ContactBodies& bodies, const ContactPair& pair,
+                          Vec2 gravity) {
+    if (pair.is_on_edge()) return direction(-gravity, {0.0, 1.0});
+    const auto part = [&](double share) {
+        const double place = share * number(world.balls().id[bodies.ball[pair.a]]) +
+                             share * share * number(world.balls().id[bodies.ball[pair.b]]);
+        return place - std::floor(place) - 0.5;
+    };
+    // Powers of the plastic number's inverse fill a square evenly.
+    return direction({part(0.7548776662466927), part(0.5698402909980532)}, {0.0, 1.0});
+}
+
+}  // namespace
+
+// The normal and the separation.
 template <Terms terms>
 inline void ContactClassification::measure(const World& world, ContactPair& pair) {
     Vec2 offset;
@@ -43,7 +63,7 @@ inline void ContactClassification::measure(const World& world, ContactPair& pair
     if (away > 1e-150)
         pair.normal = offset * (1.0 / away);
     else
-        pair.normal = direction(-step_.gravity, {0.0, 1.0});
+        pair.normal = normal_of_coincident(world, bodies_, pair, step_.gravity);
 }
 
 // Whether a kinematic body pushes the ball faster than it would bounce off a fixed one.

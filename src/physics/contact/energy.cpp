@@ -96,6 +96,9 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
         if (touches(constraint) && !bodies_.is_kinematic(constraint.a) &&
             !bodies_.is_kinematic(constraint.b))
             parent_[group_of(constraint.a)] = group_of(constraint.b);
+    for (const ContactConstraint& constraint : constraints)
+        if (is_embedded(bodies_, pairs_[constraint.pair]))
+            groups_[group_of(constraint.a)].is_embedded = true;
     for (const ContactConstraint& constraint : constraints) {
         const bool by_a = bodies_.is_kinematic(constraint.a);
         const bool by_b = bodies_.is_kinematic(constraint.b);
@@ -186,7 +189,9 @@ double ContactEnergy::take_back(std::uint32_t i, const Group& group, double shar
     body.surface_speed *= kept;
     double taken = before - kinetic_energy_of(i);
     if (lifted > 0.0) {
-        const Vec2 back = bodies_.displacement[i] * part;
+        Vec2 back = bodies_.displacement[i] * part;
+        if (group.is_embedded)
+            back = step_.gravity * (dot(back, step_.gravity) / length_squared(step_.gravity));
         bodies_.position[i] -= back;
         bodies_.displacement[i] -= back;
         taken -= dot(step_.gravity, back) / body.inverse_mass;

@@ -19,7 +19,8 @@ namespace carom {
 /// give, by lifting overlapping bodies or by iterations that have not converged, comes out of the
 /// store. If they give more than the limit allows, the excess is taken back at the end of the
 /// substep: each group of balls that press on one another and have gained energy moves less far,
-/// and more slowly. So a heap keeps its overlaps while the store has no energy to open them.
+/// and more slowly. Embedded balls keep what they have moved to the side, which costs no energy. So
+/// a heap keeps its overlaps while the store has no energy to open them.
 ///
 /// Impacts, kicks and kinematic bodies are not limited. A group that a kinematic body carries is
 /// not moved back, nor is one that would be moved into a ball that has followed it; so there the
@@ -53,6 +54,7 @@ class ContactEnergy {
         Vec2 momentum;
         bool is_supported = false;  ///< by a body that they cannot move
         bool stays = false;         ///< it may not be moved back
+        bool is_embedded = false;   ///< has balls that are embedded
     };
 
     double energy_of_balls() const;

@@ -62,8 +62,24 @@ void ContactImpacts::find_candidates() {
     }
 }
 
+// Impacts cannot part a crowd of balls inside one another: each of them pushes others further in,
+// until all are frozen. So balls that are embedded in others are left to constraints alone, except
+// at edges.
+void ContactImpacts::find_embedded() {
+    is_embedded_.clear();
+    if (classification_.deepest() >
+        -contact_tolerance::embedded * contact_tolerance::overlap_limit * bodies_.smallest_radius)
+        return;
+    is_embedded_.assign(bodies_.fixed, 0);
+    for (const std::uint32_t p : classification_.constraints()) {
+        const ContactPair& pair = pairs_[p];
+        if (is_embedded(bodies_, pair)) is_embedded_[pair.a] = is_embedded_[pair.b] = 1;
+    }
+}
+
 bool ContactImpacts::find() {
     given_ = 0.0;
+    find_embedded();
     find_displacements();
     find_candidates();
     return !candidates_.empty() || !escaped_.empty();
@@ -153,6 +169,8 @@ std::optional<double> ContactImpacts::time_of_impact(const World& world, const C
     };
     std::optional<Impact> impact;
     if (bodies_.is_ball(pair.b)) {
+        if (!is_embedded_.empty() && (is_embedded_[pair.a] || is_embedded_[pair.b]))
+            return std::nullopt;
         Vec2 offset = at - paths_.chord_position(pair.b, now);
         if (step_.wraps) offset = nearest_image(offset, step_.torus);
         impact = impact_of_balls(offset, chord - paths_.chord_velocity(pair.b, now), radius,
@@ -163,7 +181,7 @@ std::optional<double> ContactImpacts::time_of_impact(const World& world, const C
         const HeldEdge* const edge = is_kinematic ? &kinematics_.edge_of(pair) : nullptr;
         const Capsule shape = edge_at(world, pair, now);
         const Vec2 surface = is_kinematic ? bodies_.body[pair.b].velocity : Vec2{};
-        const Disc disc{at, radius - allowed_overlap(surface)};
+        const Disc disc{at, std::max(0.0, radius - allowed_overlap(surface))};
         impact = edge ? impact_with_moving_edge(disc, chord, shape, *edge, left)
                       : first_impact(disc, chord, shape, left);
         if (impact && !is_kinematic && world.model().one_way &&

@@ -67,6 +67,7 @@ class ContactImpacts {
   private:
     void find_displacements();
     void find_candidates();
+    void find_embedded();
     void predict(const World& world, std::uint32_t body, double now);
     std::optional<double> time_of_impact(const World& world, const ContactPair& pair,
                                          double now) const;
@@ -96,6 +97,7 @@ class ContactImpacts {
     ContactPaths paths_;
     ImpactQueue<ContactEvent> queue_;
     std::vector<std::uint32_t> candidates_;  // pairs that may collide in the substep
+    std::vector<std::uint8_t> is_embedded_;  // by ball; or empty
     std::vector<std::uint32_t> escaped_;     // bodies whose displacement leads out of their skins
     double most_push_ = 0.0;
     double given_ = 0.0;
