@@ -22,7 +22,7 @@ void wrap_points(const std::optional<Box>& torus, std::span<Contact> contacts) {
 
 // Inside a solver bodies go by index, outside by id. Looked up one by one, the ids of many balls
 // would have to come from far away in memory.
-void name_bodies(World& world, std::span<Contact> contacts) {
+void name_bodies(const World& world, std::span<Contact> contacts) {
     const std::vector<BallId>& ids = world.balls().id;
     const bool are_counted = !ids.empty() && are_consecutive(ids);
     const auto id_of = [&](std::uint32_t ball) {
@@ -32,12 +32,17 @@ void name_bodies(World& world, std::span<Contact> contacts) {
         contact.a = id_of(contact.a);
         if (contact.kind == ContactKind::ball_ball) {
             contact.b = id_of(contact.b);
-            ++world.edit_ledger().ball_ball_collisions;
         } else {
             contact.b = number(world.capsules().id[contact.b]);
-            ++world.edit_ledger().ball_edge_collisions;
         }
     }
+}
+
+void count_collisions(World& world, std::span<const Contact> contacts) {
+    Ledger& ledger = world.edit_ledger();
+    for (const Contact& contact : contacts)
+        ++(contact.kind == ContactKind::ball_ball ? ledger.ball_ball_collisions
+                                                  : ledger.ball_edge_collisions);
 }
 
 void name_standing(const World& world, std::span<const std::uint32_t> balls,
@@ -73,6 +78,7 @@ struct Solver::State {
     SolverSettings settings;
     std::unique_ptr<SolverMethod> method;
     std::vector<Contact> contacts;
+    std::vector<Contact> pressing;
     std::vector<std::uint8_t> touched;
     std::vector<BallId> standing;
     TickUndo undo;
@@ -143,6 +149,9 @@ const SolverSettings& Solver::settings() const {
 std::span<const Contact> Solver::contacts() const {
     return state_->contacts;
 }
+std::span<const Contact> Solver::pressing() const {
+    return state_->pressing;
+}
 std::span<const BallId> Solver::standing() const {
     return state_->standing;
 }
@@ -166,6 +175,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
                                     : state.advance(world, asked);
     if (outcome == TickOutcome::cancelled) {
         state.contacts.clear();
+        state.pressing.clear();
         state.undo.take_back(world);
         return outcome;
     }
@@ -174,8 +184,12 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     if (!state.standing.empty()) stall_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.edit_tick();
+    state.pressing.assign(state.method->pressing().begin(), state.method->pressing().end());
     name_bodies(world, state.contacts);
+    name_bodies(world, state.pressing);
+    count_collisions(world, state.contacts);
     wrap_points(world.model().wrap, state.contacts);
+    wrap_points(world.model().wrap, state.pressing);
     drain_sinks(world);
     return state.standing.empty() ? outcome : TickOutcome::stood_still;
 }

@@ -71,6 +71,13 @@ class Solver {
     /// until the next tick.
     std::span<const Contact> contacts() const;
 
+    /// What the constraints of `contact` gave in the last tick to balls that kinematic bodies
+    /// press, and contacts() does not report, which has each constraint once: an entry for each
+    /// constraint and substep, with what it gave by its normal. One that contacts() reports stands
+    /// here once more, with its impulse below 0: the sum of both is what kinematic bodies gave.
+    /// Empty under solvers without constraints. Valid until the next tick.
+    std::span<const Contact> pressing() const;
+
     /// The balls for which time stood still in a part of the last tick, ascending: a limit of work
     /// was reached (tick/work_budget.h), or the solver could follow their paths no further
     /// (docs/physics.md). They have kept their velocities. Valid until the next tick.

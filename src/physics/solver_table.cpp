@@ -96,6 +96,9 @@ class ContactMethod final : public SolverMethod {
     std::span<const std::uint32_t> standing() const override {
         return was_swept_ ? swept_.standing() : contact_.standing();
     }
+    std::span<const Contact> pressing() const override {
+        return was_swept_ ? std::span<const Contact>() : contact_.pressing();
+    }
     const CellFrame& cells() const override {
         return was_swept_ ? swept_.cells() : contact_.cells();
     }
@@ -131,6 +134,9 @@ class EventMethod final : public SolverMethod {
     }
     std::span<const std::uint32_t> standing() const override {
         return was_hybrid_ ? hybrid_.standing() : event_.standing();
+    }
+    std::span<const Contact> pressing() const override {
+        return was_hybrid_ ? hybrid_.pressing() : std::span<const Contact>();
     }
     const CellFrame& cells() const override { return event_.cells(); }
 

@@ -42,6 +42,9 @@ class SolverMethod {
     /// The balls for which time stood still in a part of the last tick, by index, with repetitions.
     virtual std::span<const std::uint32_t> standing() const { return {}; }
 
+    /// Solver::pressing, with bodies named by their indices in the world.
+    virtual std::span<const Contact> pressing() const { return {}; }
+
     /// The cells in which the last tick looked for neighbours.
     virtual const CellFrame& cells() const = 0;
 };

@@ -17,7 +17,8 @@ namespace carom {
 /// First impact of two balls. `offset` points from the centre of the other ball to that of the
 /// first one, on a torus to the nearest image; `relative` is the difference of their chords'
 /// velocities. `allowed_overlap()` is how far the pair may overlap before it meets, length, at most
-/// the sum of the radii; it is asked only where a quick test does not tell that the balls stay apart.
+/// the sum of the radii; it is asked only where a quick test does not tell that the balls stay
+/// apart.
 template <typename Overlap>
 std::optional<Impact> impact_of_balls(Vec2 offset, Vec2 relative, double radius,
                                       double other_radius, double horizon,

@@ -118,6 +118,19 @@ bool is_embedded(const ContactBodies& bodies, const ContactPair& pair) {
            -pair.separation > contact_tolerance::embedded * overlap_bound(bodies, pair);
 }
 
+Contact contact_of(const ContactBodies& bodies, const ContactPair& pair, double time,
+                   double impulse) {
+    const bool on_edge = pair.is_on_edge();
+    return {.time = time,
+            .kind = on_edge ? ContactKind::ball_edge : ContactKind::ball_ball,
+            .a = bodies.ball[pair.a],
+            .b = on_edge ? pair.edge : bodies.ball[pair.b],
+            .point = bodies.position[pair.a] - pair.normal * bodies.radius[pair.a],
+            .normal = pair.normal,
+            .approach = impulse / pair.mass,
+            .impulse = impulse};
+}
+
 double soft_bound(const ContactSubstep& step, const ContactBodies& bodies,
                   const ContactPair& pair) {
     const double bound = overlap_bound(bodies, pair);

@@ -7,6 +7,7 @@
 #include "geometry/vec2.h"
 #include "physics/broad_phase/near_pairs.h"
 #include "physics/laws/free_motion.h"
+#include "physics/world/contact.h"
 #include "physics/world/world.h"
 
 /// What the parts of the solver `contact` share: the constants of a substep, the bodies and the
@@ -132,5 +133,9 @@ bool is_embedded(const ContactBodies& bodies, const ContactPair& pair);
 /// gravity, where pairs that bounce never become constraints) it is a part of the way to
 /// `strict_overlap`, or what the pair has.
 double soft_bound(const ContactSubstep& step, const ContactBodies& bodies, const ContactPair& pair);
+
+/// What a constraint with this impulse is to those who watch.
+Contact contact_of(const ContactBodies& bodies, const ContactPair& pair, double time,
+                   double impulse);
 
 }  // namespace carom

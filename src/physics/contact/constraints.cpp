@@ -163,23 +163,14 @@ void ContactConstraints::find_loaded() {
     std::reverse(loaded_.begin(), loaded_.end());
 }
 
-void ContactConstraints::report_new(std::vector<Contact>& contacts) {
+void ContactConstraints::report_new(std::vector<Contact>& contacts, ContactKinematics& kinematics) {
     for (const std::uint32_t k : new_) {
         ContactPair& pair = pairs_[constraints_[k].pair];
         const double impulse = constraints_[k].impulse;
         if (!(impulse > 0.0)) continue;
         pair.is_new = false;
-        const bool on_edge = pair.is_on_edge();
-        const double approach = impulse / pair.mass;
-        contacts.push_back(
-            {.time = step_.start_time,
-             .kind = on_edge ? ContactKind::ball_edge : ContactKind::ball_ball,
-             .a = bodies_.ball[pair.a],
-             .b = on_edge ? pair.edge : bodies_.ball[pair.b],
-             .point = bodies_.position[pair.a] - pair.normal * bodies_.radius[pair.a],
-             .normal = pair.normal,
-             .approach = approach,
-             .impulse = impulse});
+        contacts.push_back(contact_of(bodies_, pair, step_.start_time, impulse));
+        kinematics.note_reported(pair, contacts.back());
     }
 }
 

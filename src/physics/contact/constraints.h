@@ -62,8 +62,9 @@ class ContactConstraints {
     /// bounce is left alone.
     void relax(double most_push, bool had_impacts);
 
-    /// A pair that presses for the first time is a contact too.
-    void report_new(std::vector<Contact>& contacts);
+    /// A pair that presses for the first time is a contact too. Tells `kinematics` of those with
+    /// kinematic bodies.
+    void report_new(std::vector<Contact>& contacts, ContactKinematics& kinematics);
 
     /// In their order. Impulses may be scaled down before `relax`.
     std::span<ContactConstraint> all() { return constraints_; }

@@ -145,6 +145,15 @@ void ContactKinematics::settle_jams(ContactPairs& pairs, ContactBodies& bodies,
             limited(bodies.body[body].velocity, length(bodies.displacement[body]) / step.duration);
 }
 
+void ContactKinematics::note_pressing(const ContactPairs& pairs, const ContactBodies& bodies,
+                                      const ContactSubstep& step) {
+    for (const std::uint32_t p : pairs.kinematic()) {
+        const ContactPair& pair = pairs[p];
+        if (pair.state != ContactState::constraint || !(pair.impulse > 0.0)) continue;
+        pressing_.push_back(contact_of(bodies, pair, step.start_time, pair.impulse));
+    }
+}
+
 double ContactKinematics::work(const ContactPairs& pairs, const ContactBodies& bodies) const {
     double work = 0.0;
     for (const std::uint32_t p : pairs.kinematic()) {

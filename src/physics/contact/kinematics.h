@@ -6,6 +6,7 @@
 
 #include "physics/contact/pairs.h"
 #include "physics/tick/kinematic.h"
+#include "physics/world/contact.h"
 
 namespace carom {
 
@@ -29,7 +30,10 @@ class ContactKinematics {
     /// Lists the kinematic bodies of the world, and makes held balls immovable. Pre: `bodies` are
     /// loaded.
     void load(const World& world, ContactBodies& bodies);
-    void begin_tick() { was_held_back_.clear(); }
+    void begin_tick() {
+        was_held_back_.clear();
+        pressing_.clear();
+    }
     /// Gives each the velocity that covers `share_of_displacement` of the rest of its displacement
     /// in this substep, unless it was held back.
     void begin_substep(const World& world, const ContactSubstep& step, const ContactBodies& bodies,
@@ -66,6 +70,18 @@ class ContactKinematics {
     /// at the start of the substep was at most `kinematic_overlap` of the smaller radius.
     void settle_jams(ContactPairs& pairs, ContactBodies& bodies, const ContactSubstep& step);
 
+    /// The contact of a new constraint, which `ContactConstraints::report_new` has reported.
+    void note_reported(const ContactPair& pair, const Contact& contact) {
+        if (!pair.is_kinematic) return;
+        pressing_.push_back(contact);
+        pressing_.back().impulse = -contact.impulse;
+    }
+    /// Adds what the constraints of the substep gave. Pre: the pairs have their impulses.
+    void note_pressing(const ContactPairs& pairs, const ContactBodies& bodies,
+                       const ContactSubstep& step);
+    /// ContactSolver::pressing.
+    std::span<const Contact> pressing() const { return pressing_; }
+
     /// The work that kinematic bodies have done on balls through constraints in the substep.
     double work(const ContactPairs& pairs, const ContactBodies& bodies) const;
 
@@ -80,6 +96,7 @@ class ContactKinematics {
     // By ball, then by edge.
     std::vector<std::uint8_t> was_held_back_;  // in this tick
     std::vector<double> shortened_;            // to this share, in this round of holding back
+    std::vector<Contact> pressing_;
     // Scratch of settle_jams.
     std::vector<std::uint32_t> jammed_;
     std::vector<std::uint8_t> is_jammed_;

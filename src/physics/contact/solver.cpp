@@ -79,7 +79,7 @@ void ContactSolver::substep(World& world, double share_of_displacement,
     classification_.count_contacts(is_reloaded_);
     classification_.classify(world);
     constraints_.begin();
-    constraints_.report_new(contacts);
+    constraints_.report_new(contacts, kinematics_);
     for (int round = 0; round < contact_tolerance::most_holds && !pairs_.kinematic().empty() &&
                         kinematics_.hold_back(pairs_, bodies_, step_);
          ++round)
@@ -90,7 +90,10 @@ void ContactSolver::substep(World& world, double share_of_displacement,
     else
         advance_positions(world);
     constraints_.relax(impacts_.most_push(), has_impacts);
-    if (!kinematics_.is_empty()) kinematics_.settle_jams(pairs_, bodies_, step_);
+    if (!kinematics_.is_empty()) {
+        kinematics_.note_pressing(pairs_, bodies_, step_);
+        kinematics_.settle_jams(pairs_, bodies_, step_);
+    }
     energy_.end_substep(constraints_.all(), impacts_.given() + kinematics_.work(pairs_, bodies_));
     kinematics_.end_substep(world, step_);
 }

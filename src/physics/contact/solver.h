@@ -42,6 +42,11 @@ class ContactSolver {
     void tick(World& world, int substeps, std::vector<Contact>& contacts,
               std::vector<std::uint8_t>& touched, bool is_strict = false);
 
+    /// What constraints gave balls that kinematic bodies press in the last tick, and `contacts`
+    /// does not report: an entry for each constraint and substep. One that `contacts` does report
+    /// stands here once more, with its impulse below 0, so that the sum of both is what the pair
+    /// gave.
+    std::span<const Contact> pressing() const { return kinematics_.pressing(); }
     /// The cells in which the last tick looked for pairs.
     const CellFrame& cells() const { return pairs_.frame(); }
     /// The balls for which time has stood still in the last tick, by index, with repetitions.

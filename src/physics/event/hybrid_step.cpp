@@ -19,6 +19,7 @@ EventMemory& memory_of(World& world) {
 EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactSolver& contact,
                               std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
                               const std::function<bool()>& keep_going) {
+    pressing_.clear();
     cluster_.find(world);
     if (!cluster_.has_balls()) {
         // The balls of the cluster no longer exist, or a hand lifts nothing.
@@ -31,6 +32,7 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         if (cluster_.is_everything() || attempt > most_attempts) {
             contact.tick(world, substeps_for(world), contacts, touched);
             standing_.assign(contact.standing().begin(), contact.standing().end());
+            pressing_.assign(contact.pressing().begin(), contact.pressing().end());
             forget_trajectories(world);
             cluster_.find_staying(world, memory_of(world).clustered);
             return EventOutcome::done;
@@ -58,6 +60,8 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
             const World& part = cluster_.has_held_capsule(h) ? dense_.world : free_.world;
             SolverAccess(world).capsules().shape[*index] = part.capsules().shape[*index];
         }
+        pressing_.assign(contact.pressing().begin(), contact.pressing().end());
+        name_by_whole(dense_, pressing_);
         merge_contacts(contacts);
         EventMemory& memory = memory_of(world);
         const EventMemory& of_free = event_memory(free_.world);
@@ -155,13 +159,18 @@ void HybridStep::write_back(World& world, const Part& part,
         touched[part.ball[i]] = part.touched[i];
 }
 
+// From indices in the part to those in the whole.
+void HybridStep::name_by_whole(const Part& part, std::span<Contact> contacts) {
+    for (Contact& contact : contacts) {
+        contact.a = part.ball[contact.a];
+        if (contact.kind == ContactKind::ball_ball) contact.b = part.ball[contact.b];
+    }
+}
+
 // By time.
 void HybridStep::merge_contacts(std::vector<Contact>& contacts) {
     for (Part* const part : {&free_, &dense_})
-        for (Contact& contact : part->contacts) {
-            contact.a = part->ball[contact.a];
-            if (contact.kind == ContactKind::ball_ball) contact.b = part->ball[contact.b];
-        }
+        name_by_whole(*part, part->contacts);
     std::ranges::merge(free_.contacts, dense_.contacts, std::back_inserter(contacts), {},
                        &Contact::time, &Contact::time);
 }

@@ -42,6 +42,8 @@ class HybridStep {
                       std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
                       const std::function<bool()>& keep_going);
 
+    /// ContactSolver::pressing of the last tick.
+    std::span<const Contact> pressing() const { return pressing_; }
     /// The balls for which time stood still in a part of the last tick, by index, with repetitions.
     std::span<const std::uint32_t> standing() const { return standing_; }
 
@@ -56,6 +58,7 @@ class HybridStep {
 
     void take_part(const World& world, bool of_cluster, Part& part) const;
     bool has_free_part_of(const World& world);
+    static void name_by_whole(const Part& part, std::span<Contact> contacts);
     bool widen_reaches(const World& world, const Part& part);
     bool widen(const World& world, const Contact& contact, const Part& part);
     void write_back(World& world, const Part& part, std::vector<std::uint8_t>& touched) const;
@@ -63,6 +66,7 @@ class HybridStep {
     static int substeps_for(const World& cluster);
 
     std::vector<std::uint32_t> standing_;
+    std::vector<Contact> pressing_;
     HybridCluster cluster_;
     Part free_;
     std::optional<Stamps> free_stamps_;  // of the world that free_ is a part of

@@ -213,8 +213,8 @@ Result run(const Push& push, SolverKind kind, bool is_measured_without) {
         const double energy_before = kinetic_energy(world) + potential_energy(world);
         solver.tick(world);
         double work = 0.0;
-        for (const Contact& contact : solver.contacts()) {
-            if (contact.kind != ContactKind::ball_edge) continue;
+        const auto add_work = [&](const Contact& contact) {
+            if (contact.kind != ContactKind::ball_edge) return;
             for (std::size_t h = 0; h < push.edges.size(); ++h) {
                 if (contact.b != number(push.edges[h])) continue;
                 const double part = world.hands().share;
@@ -222,7 +222,11 @@ Result run(const Push& push, SolverKind kind, bool is_measured_without) {
                 work +=
                     contact.impulse * std::max(0.0, dot(contact.normal, along) * push.speed * part);
             }
-        }
+        };
+        for (const Contact& contact : solver.contacts())
+            add_work(contact);
+        for (const Contact& contact : solver.pressing())
+            add_work(contact);
         const double energy = kinetic_energy(world) + potential_energy(world);
         most_energy = std::max(most_energy, energy);
         result.gain = std::max(result.gain, (energy - energy_before - work) / most_energy);
