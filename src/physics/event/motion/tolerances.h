@@ -162,7 +162,7 @@ inline constexpr double most_correction = 0.5;
 /// Position correction takes at most this share of the kinetic energy of an impact's bodies at
 /// once, to pay for lifting them. x10: they stop within heaps, and meet at once again, without end;
 /// /10: deep overlaps open later.
-inline constexpr double most_paid = 0.01;
+inline constexpr double most_paid = 0.03;
 
 /// Position correction pushes a ball no deeper into a third one, in the smaller radius. x10: balls
 /// that start inside one another, or that a hand squeezes, are pushed into their neighbours; /10:
