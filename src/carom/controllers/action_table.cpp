@@ -194,6 +194,7 @@ constexpr Action rows[] = {
     {"nudge-left", "x", "nudge the table to the left", pinball, Button::nudge_left},
     {"nudge-up", "up", "nudge the table upwards", pinball, Button::nudge_up},
     {"nudge-right", ".", "nudge the table to the right", pinball, Button::nudge_right},
+    {"add-player", "p", "another player joins, during ball 1", pinball, Button::add_player},
     {"flipper-mode", "k", "how flippers are held", pinball,
      [](Pinball& table, Play& play) { table.next_flipper_mode(play); }},
     {"bell", "l", "bell on, off", pinball, toggle_bell},

@@ -43,6 +43,7 @@ constexpr HelpLine lines[] = {
     {at_pinball, "Table", "right-flipper", "/ or right", "right flipper"},
     {at_pinball, "Table", "plunger", "enter", "hold, release: plunger"},
     {at_pinball, "Table", "nudge-left nudge-up nudge-right", "", "nudge left, up, right"},
+    {at_pinball, "Table", "add-player", "", "another player joins"},
     {at_pinball, "Table", "flipper-mode", "", "how flippers are held"},
     {at_pinball, "Table", "demo", "", "demo on, off"},
     {at_pinball, "Table", "bell", "", "bell on, off"},

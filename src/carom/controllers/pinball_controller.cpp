@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "carom/context/time_control.h"
 #include "carom/pool/power_bar.h"
 #include "game/pinball/pinball.h"
 
@@ -21,6 +22,14 @@ void press_buttons(PlayContext& play, const std::vector<command::Press>& presses
 bool is_over(const Session& session) {
     return session.scene().table.is_game &&
            std::get<PinballState>(session.game()).phase == PinballState::Phase::over;
+}
+
+/// Nobody has begun to play, or a game is over.
+bool waits_for_player(const Session& session) {
+    const PinballState& state = std::get<PinballState>(session.game());
+    const bool is_new =
+        state.games == 1 && state.ball == 1 && state.score == 0 && !state.is_launched;
+    return session.scene().table.is_game && (is_new || is_over(session));
 }
 
 bool has_flippers(const Scene& scene) {
@@ -43,10 +52,33 @@ void PinballController::press_key(PlayContext& play, Button button, const InputE
     play.terminal.key_repeat = input_.key_repeat();
 }
 
+void PinballController::attract(PlayContext& play, double seconds) {
+    constexpr double patience = 20.0;  // s
+    const bool waits = !demo_ && !play.clock.is_paused() && !feedback_.scores().initials() &&
+                       waits_for_player(play.session);
+    idle_ = waits ? idle_ + seconds : 0.0;
+    if (idle_ < patience) return;
+    demonstrate(play, true);
+    attracts_ = true;
+}
+
+void PinballController::end_attract(PlayContext& play) {
+    attracts_ = false;
+    demo_.reset();
+    press_buttons(play, input_.release_all());
+    restart(play);
+    say(play, "your game");
+}
+
 bool PinballController::take(PlayContext& play, const InputEvent& event) {
+    idle_ = 0.0;
+    const bool ends_attract = attracts_ && event.action == InputEvent::Action::press;
+    if (ends_attract) end_attract(play);
     if (event.kind == InputEvent::Kind::mouse) return take_mouse(play, event);
     if (event.kind != InputEvent::Kind::key) return false;
     learn_keys(play);
+    // The key that ends it does nothing else, if it is one of the table's.
+    if (ends_attract && play.keys.button_of(key_of(event))) return true;
     if (feedback_.scores().initials()) {
         feedback_.scores().type(event);
         play.needs_draw = true;
@@ -90,6 +122,7 @@ void PinballController::perform(PlayContext& play, const Action& action) {
 void PinballController::pass(PlayContext& play, double seconds) {
     learn_keys(play);
     press_buttons(play, input_.pass(seconds));
+    attract(play, seconds);
     feedback_.pass(play, seconds);
 }
 
@@ -106,6 +139,7 @@ void PinballController::after_ticks(PlayContext& play, double seconds) {
 }
 
 void PinballController::demonstrate(PlayContext& play, bool does) {
+    attracts_ = false;
     if (!does) press_buttons(play, input_.release_all());
     demo_ = does ? std::optional(DemoPlayer{}) : std::nullopt;
     say(play, does ? "carom plays: any key of the table takes over" : "your game");
@@ -185,6 +219,8 @@ void PinballController::add_hints(const PlayContext& play, std::vector<KeyHelp>&
     if (has_button(scene, Button::plunger)) hint({"plunger"}, "hold: plunger");
     if (has_button(scene, Button::nudge_up))
         hint({"nudge-left", "nudge-up", "nudge-right"}, "nudge");
+    if (may_join(scene, std::get<PinballState>(play.session.game())))
+        hint({"add-player"}, "another player");
     hint({"demo"}, is_demonstrating() ? "play yourself" : "watch carom play");
 }
 

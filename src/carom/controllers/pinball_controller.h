@@ -8,6 +8,9 @@
 #include "game/ai/demo_player.h"
 
 /// Pinball: buttons held with keys or the mouse, the demo, high scores.
+///
+/// Attract mode: where nobody touches a key for a while before the first launch or after the end of
+/// a game, the demo plays. Any key ends it, and the table stands as at the start.
 namespace carom {
 
 class PinballController : public FreeController {
@@ -39,11 +42,15 @@ class PinballController : public FreeController {
   private:
     bool take_mouse(PlayContext& play, const InputEvent& event);
     void learn_keys(PlayContext& play);
+    void attract(PlayContext& play, double seconds);
+    void end_attract(PlayContext& play);
     void press_key(PlayContext& play, Button button, const InputEvent& event);
 
     PinballInput input_;
     std::optional<DemoPlayer> demo_;
     PinballFeedback feedback_;
+    double idle_ = 0.0;  ///< s since the last key while the table waits for a player
+    bool attracts_ = false;
 };
 
 }  // namespace carom

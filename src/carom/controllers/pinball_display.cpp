@@ -39,6 +39,23 @@ bool is_bright(const Session& session, std::size_t device) {
     return left > warning_time || static_cast<std::uint64_t>(left * blinks) % 2 == 0;
 }
 
+// By device: whether it flashes, because the task asks for it.
+std::vector<bool> flashing_devices(const Session& session) {
+    const PinballTable& table = session.scene().table;
+    std::vector<bool> flashing(table.devices.size(), false);
+    for (const std::uint32_t group :
+         shots_to_make(session.scene(), session.world(), state_of(session)))
+        for (const std::uint32_t device : table.groups[group].devices)
+            flashing[device] = true;
+    return flashing;
+}
+
+bool is_flash_on(const Session& session) {
+    constexpr double flashes = 3.0;  // a second
+    const double time = static_cast<double>(session.world().tick()) / session.world().rate();
+    return static_cast<std::uint64_t>(2.0 * flashes * time) % 2 == 0;
+}
+
 bool has_lamp(DeviceKind kind) {
     return kind == DeviceKind::lamp || kind == DeviceKind::rollover ||
            kind == DeviceKind::kickback || kind == DeviceKind::hole || kind == DeviceKind::spinner;
@@ -46,7 +63,7 @@ bool has_lamp(DeviceKind kind) {
 
 bool lights_itself(DeviceKind kind) {
     return kind == DeviceKind::target || kind == DeviceKind::bumper ||
-           kind == DeviceKind::slingshot;
+           kind == DeviceKind::slingshot || kind == DeviceKind::droptarget;
 }
 
 void dress_light(TableLight& light, const DeviceDress& dress) {
@@ -70,6 +87,30 @@ std::string bonus_line(const Session& session) {
         fmt::format("bonus {} x {}", state.bonus, grouped(session.scene().table.bonus));
     if (state.multiplier > 1) line += fmt::format(" x {}", state.multiplier);
     return line;
+}
+
+/// The players' scores, if there are several, the one whose turn it is marked.
+std::vector<std::string> player_lines(const Session& session) {
+    const PinballState& state = state_of(session);
+    std::vector<std::string> lines;
+    const std::vector<std::int64_t> scores = scores_of(state);
+    for (std::size_t i = 0; scores.size() > 1 && i < scores.size(); ++i)
+        lines.push_back(fmt::format("{} player {}  {}", i == state.rules.player ? ">" : " ", i + 1,
+                                    grouped(scores[i])));
+    return lines;
+}
+
+/// The score to beat: the next place in the table of high scores; or the award of an extra ball.
+std::string target_line(const Session& session, const PinballScores& scores) {
+    const PinballState& state = state_of(session);
+    const std::int64_t replay = session.scene().table.replay;
+    if (replay > 0 && !state.has_replay && state.score < replay)
+        return fmt::format("extra ball at {}", grouped(replay));
+    const HighScore* next = nullptr;
+    for (const HighScore& score : scores.scores().lines)
+        if (score.score >= state.score) next = &score;
+    if (next) return fmt::format("to beat: {} by {}", grouped(next->score), next->initials);
+    return scores.scores().lines.empty() ? "" : "the best score so far";
 }
 
 /// Lights that go out by themselves: "GETAWAY 18 s".
@@ -192,9 +233,14 @@ TableAnnotations PinballDisplay::annotations(const Session& session) const {
     const PinballTable& table = session.scene().table;
     const Dress& dress = session.scene().dress;
     const double radius = lamp_radius * ball_radius(session);
+    const std::vector<bool> flashing = flashing_devices(session);
     for (std::size_t i = 0; i < table.devices.size(); ++i) {
         const Device& device = table.devices[i];
-        TableLight light{.is_lit = is_bright(session, i), .family = device.group};
+        TableLight light{.is_lit = flashing[i] ? is_flash_on(session) : is_bright(session, i),
+                         .family = device.group};
+        // A target that has dropped is not there.
+        if (device.kind == DeviceKind::droptarget)
+            light.is_lit = light.is_lit && flashing[i] && state_of(session).is_lit[i] == 0;
         if (i < dress.devices.size()) dress_light(light, dress.devices[i]);
         if (has_lamp(device.kind)) {
             const double own = i < dress.devices.size() ? dress.devices[i].radius : 0.0;
@@ -242,9 +288,14 @@ void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const Pi
     panel.title = session.scene().title;
     panel.score = grouped(state.score);
     if (session.scene().table.is_game)
-        panel.lines = {ball_line(session), bonus_line(session), safety_line(session)};
+        panel.lines = {ball_line(session), bonus_line(session), target_line(session, scores),
+                       safety_line(session)};
+    const std::vector<std::string> players = player_lines(session);
+    panel.lines.insert(panel.lines.begin(), players.begin(), players.end());
     for (std::string& line : timer_lines(session))
         panel.lines.push_back(std::move(line));
+    if (state.phase == PinballState::Phase::playing)
+        panel.task = task_text(session.scene(), session.world(), state);
     panel.message = state.message;
     if (initials)
         panel.call = "YOUR INITIALS: " + *initials + std::string(3 - initials->size(), '_');

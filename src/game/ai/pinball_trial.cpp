@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "game/pinball/pinball.h"
 
@@ -11,6 +12,8 @@ namespace {
 // Points are worth less and less, so that a player does not risk a ball for many of them.
 constexpr double points_for_one = 100.0;
 constexpr double most_for_points = 20.0;
+constexpr double for_lit_shot = 15.0;  // a shot that the task asks for
+constexpr int most_lit_shots = 2;
 constexpr double for_lost_ball = -100.0;  // as PinballSight::safety has it
 
 double value_of(double points) {
@@ -31,6 +34,34 @@ Prospect prospect_of(const PinballSight& sight, const PinballTrial& trial) {
     return all_lost ? Prospect::lost : is_any_near ? Prospect::near : Prospect::away;
 }
 
+/// The shots that the task asks for, and how often they are made.
+class LitShots {
+  public:
+    LitShots(const Scene& scene, const PinballTrial& trial) : scene_(scene) { look(trial); }
+
+    /// Counts what has happened since `events`. Returns the lit device that was hit, if any.
+    std::optional<std::uint32_t> count(const PinballTrial& trial,
+                                       const std::vector<std::uint32_t>& events) {
+        std::optional<std::uint32_t> made;
+        for (const std::uint32_t group : lit_)
+            for (const std::uint32_t device : scene_.table.groups[group].devices) {
+                if (trial.state.events[device] == events[device]) continue;
+                made = device;
+                ++made_;
+            }
+        look(trial);
+        return made;
+    }
+    double value() const { return for_lit_shot * std::min(most_lit_shots, made_); }
+
+  private:
+    void look(const PinballTrial& trial) { lit_ = shots_to_make(scene_, trial.world, trial.state); }
+
+    const Scene& scene_;
+    std::span<const std::uint32_t> lit_;
+    int made_ = 0;
+};
+
 }  // namespace
 
 void play_tick(const Scene& scene, Solver& solver, PinballTrial& trial) {
@@ -47,6 +78,8 @@ Foreseen play_ahead(const PinballSight& sight, const Scene& scene, Solver& solve
     double worth = worth_before;
     double most = 0.0;
     std::vector<std::uint32_t> events = trial.state.events;
+    LitShots lit(scene, trial);
+    std::optional<std::uint32_t> lit_device;
     auto next = presses.begin();
     bool was_away = false;
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
@@ -65,11 +98,14 @@ Foreseen play_ahead(const PinballSight& sight, const Scene& scene, Solver& solve
                 std::ranges::mismatch(trial.state.events, events).in1 - trial.state.events.begin());
         }
         worth = now;
+        const auto made = lit.count(trial, events);
+        if (!lit_device) lit_device = made;
         events = trial.state.events;
     }
     foreseen.safety = sight.safety(trial.world, trial.state) +
                       for_lost_ball * static_cast<double>(trial.state.drained - drained_before);
-    foreseen.gain = value_of(worth - worth_before);
+    foreseen.gain = value_of(worth - worth_before) + lit.value();
+    if (lit_device) foreseen.device = lit_device;
     return foreseen;
 }
 

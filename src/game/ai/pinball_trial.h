@@ -31,8 +31,11 @@ struct PinballTrial {
 /// How a trial ends.
 struct Foreseen {
     double safety = 0.0;  ///< of the balls' places: PinballSight::safety
-    double gain = 0.0;    ///< of points: 2 for 400, 20 for 40,000 or more
-    /// The device whose first event won most. None: nothing was won.
+    /// Of points: 2 for 400, 20 for 40,000 or more. 15 more for each shot that the table's task
+    /// asks for, of two at most.
+    double gain = 0.0;
+    /// The first device that the task asked for, else the one whose first event won most. None:
+    /// nothing was won.
     std::optional<std::uint32_t> device;
 };
 

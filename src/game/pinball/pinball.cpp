@@ -161,7 +161,7 @@ void begin_game_again(Pinball game) {
     state.ball = 1;
     state.extra_balls = 0;
     state.rules = begin_rules(game.scene.rules);
-    begin_players(game.scene, state);
+    begin_players(state);
     for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
         set_lit(game, i, false);
     for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
@@ -249,7 +249,7 @@ PinballState begin_pinball(const Scene& scene) {
     state.turning.assign(devices, 0.0);
     state.turned.assign(devices, 0.0);
     state.rules = begin_rules(scene.rules);
-    begin_players(scene, state);
+    begin_players(state);
     for (std::size_t i = 0; i < devices; ++i)
         if (scene.table.devices[i].kind == DeviceKind::kickback) state.is_lit[i] = 1;
     return state;
@@ -265,6 +265,7 @@ void update_pinball(const Scene& scene, World& world, PinballState& state,
     cross_ramps(game);
     update_holes(game);
     update_spinners(game);
+    award_replay(game);
     count_drained(game);
     go_on_after_count(game);
     raise_targets(game);
@@ -283,6 +284,7 @@ bool has_button(const Scene& scene, Button button) {
     if (button == Button::plunger)
         return scene.table.is_game ||
                std::ranges::count(scene.table.devices, DeviceKind::plunger, &Device::kind) > 0;
+    if (button == Button::add_player) return scene.table.is_game && scene.rules.players > 1;
     if (button == Button::left_flipper || button == Button::right_flipper)
         return std::ranges::count(scene.table.flipper_buttons, button) > 0;
     return !scene.table.is_empty();
@@ -323,6 +325,9 @@ void press(const Scene& scene, World& world, PinballState& state, Button button,
             break;
         case Button::nudge_up:
             if (is_down) begin_nudge(game, {0.0, 1.0});
+            break;
+        case Button::add_player:
+            if (is_down) join(game);
             break;
     }
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "game/pinball/pinball_state.h"
 #include "level/scene/scene.h"
@@ -33,6 +35,15 @@ void pull_plunger(const Scene& scene, World& world, PinballState& state, double 
 
 /// The task that the rules of the table show now (`task` in a level); empty: none.
 std::string task_text(const Scene& scene, const World& world, const PinballState& state);
+
+/// The groups of devices to shoot for now (`task ... for`), which flash.
+std::span<const std::uint32_t> shots_to_make(const Scene& scene, const World& world,
+                                             const PinballState& state);
+
+/// Whether another player may join: during the first ball, as many as the level allows.
+bool may_join(const Scene& scene, const PinballState& state);
+/// The scores of all players.
+std::vector<std::int64_t> scores_of(const PinballState& state);
 
 /// Whether a ball lies on a plunger.
 bool is_on_plunger(const Scene& scene, const World& world);

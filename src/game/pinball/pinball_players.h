@@ -10,14 +10,18 @@
 /// between turns.
 namespace carom {
 
-/// At the start of a game: the first player's turn.
-void begin_players(const Scene& scene, PinballState& state);
+/// At the start of a game: the first player's turn, and nobody else has joined.
+void begin_players(PinballState& state);
+
+/// Another player joins, if one may (may_join).
+void join(Pinball game);
 
 /// Passes the turn to the player of the next ball. False: all balls are played.
 bool pass_to_next_player(Pinball game);
 
-/// The scores of all players.
-std::vector<std::int64_t> scores_of(const PinballState& state);
+/// The extra ball for the score of the level's replay=, once a game for each player.
+void award_replay(Pinball game);
+
 std::int64_t best_score(const PinballState& state);
 
 }  // namespace carom

@@ -100,7 +100,7 @@ std::int64_t PinballAnswers::quantity(RuleQuantity what) const {
         case RuleQuantity::player:
             return std::int64_t{state_.rules.player} + 1;
         case RuleQuantity::players:
-            return std::int64_t{scene_.rules.players};
+            return std::int64_t{state_.players};
         case RuleQuantity::ball:
             return std::int64_t{state_.ball};
         case RuleQuantity::bonus:
@@ -188,7 +188,9 @@ void apply_rules(Pinball game, std::uint32_t device, RuleEvent event) {
     ++game.state.events[device];
     if (!game.is_scoring()) return;
     const std::uint32_t group = game.table().devices[device].group;
+    const std::int32_t own = game.table().devices[device].own_group;
     PinballHost host(game);
+    if (own >= 0) happen(host.rules(), event, static_cast<std::uint32_t>(own));
     happen(host.rules(), event, group);
     const DeviceKind kind = game.table().devices[device].kind;
     const bool lights = kind == DeviceKind::rollover || kind == DeviceKind::target ||
@@ -224,6 +226,14 @@ std::string task_text(const Scene& scene, const World& world, const PinballState
     const PinballAnswers answers(scene, world, state);
     std::string task = task_text(scene.rules, state.rules, answers);
     return task.empty() ? goal_text(scene.rules, answers, state.goal) : task;
+}
+
+std::span<const std::uint32_t> shots_to_make(const Scene& scene, const World& world,
+                                             const PinballState& state) {
+    if (scene.rules.tasks.empty() || state.phase != PinballState::Phase::playing) return {};
+    const RuleTask* const task =
+        task_of(scene.rules, state.rules, PinballAnswers(scene, world, state));
+    return task ? std::span<const std::uint32_t>(task->shots) : std::span<const std::uint32_t>();
 }
 
 void save_for(Pinball game, double seconds) {

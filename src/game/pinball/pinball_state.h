@@ -86,11 +86,14 @@ struct PinballState {
                                  ///< they had left the table
 
     RuleState rules;
+    std::uint32_t players = 1;  ///< who play; others may join during the first ball
+    bool has_replay = false;    ///< the replay award of this player has been given
 
     /// What a player leaves on the table until its next ball.
     struct Parked {
         std::int64_t score = 0;
         std::uint32_t extra_balls = 0;
+        bool has_replay = false;
         std::vector<std::uint8_t> is_lit;  ///< but for drop targets, which rise
     };
     /// By player; that of the player whose turn it is is out of date. Empty: one player.

@@ -13,8 +13,8 @@ using namespace command;
 /// The words for Side in replays, by its value.
 constexpr std::string_view side_names[] = {"both", "left", "right", "none"};
 /// The words for Button.
-constexpr std::string_view button_names[] = {"left",       "right",       "plunger",
-                                             "nudge-left", "nudge-right", "nudge-up"};
+constexpr std::string_view button_names[] = {"left",        "right",    "plunger",   "nudge-left",
+                                             "nudge-right", "nudge-up", "add-player"};
 static_assert(std::size(button_names) == button_count);
 /// The words for PoolCall::Kind and PoolChoice.
 constexpr std::string_view call_names[] = {"none", "pot", "safety", "push-out"};

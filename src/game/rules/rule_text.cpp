@@ -21,10 +21,15 @@ std::string text_of(const RuleBook& book, const RuleState& state, const RuleHost
     return written;
 }
 
-std::string task_text(const RuleBook& book, const RuleState& state, const RuleHost& host) {
+const RuleTask* task_of(const RuleBook& book, const RuleState& state, const RuleHost& host) {
     for (const RuleTask& task : book.tasks)
-        if (hold(book, state, host, task.needs)) return text_of(book, state, host, task.text);
-    return {};
+        if (hold(book, state, host, task.needs)) return &task;
+    return nullptr;
+}
+
+std::string task_text(const RuleBook& book, const RuleState& state, const RuleHost& host) {
+    const RuleTask* const task = task_of(book, state, host);
+    return task ? text_of(book, state, host, task->text) : std::string();
 }
 
 }  // namespace carom

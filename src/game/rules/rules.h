@@ -70,7 +70,9 @@ bool hold(const RuleBook& book, const RuleState& state, const RuleHost& host,
           const std::vector<RuleClause>& needs);
 std::string text_of(const RuleBook& book, const RuleState& state, const RuleHost& host,
                     const RuleText& text);
-/// The first task whose conditions hold; empty: there is none.
+/// The first task whose conditions hold; null: there is none.
+const RuleTask* task_of(const RuleBook& book, const RuleState& state, const RuleHost& host);
+/// Its text; empty: there is none.
 std::string task_text(const RuleBook& book, const RuleState& state, const RuleHost& host);
 
 /// Whole seconds until the timer ends, rounded up; 0: it does not run.

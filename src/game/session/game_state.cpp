@@ -45,8 +45,13 @@ std::uint64_t digest_of(const World& world, const PinballState& s, int version) 
     digest.add(s.pull);
     digest.add(s.nudge);
     digest.add(s.tilt_meter);
-    for (const bool is_down : s.is_down)
-        digest.add(std::uint64_t{is_down});
+    // What a button for another player is doing matters only while it is down: recordings from
+    // before there was one keep their marks.
+    for (int button = 0; button < button_count; ++button) {
+        const bool is_down = s.is_down[static_cast<std::size_t>(button)];
+        if (is_down || static_cast<Button>(button) != Button::add_player)
+            digest.add(std::uint64_t{is_down});
+    }
     for (std::size_t i = 0; i < s.is_lit.size(); ++i) {
         digest.add(std::uint64_t{s.is_lit[i]} * 2 + s.is_rising[i]);
         digest.add(s.turning[i]);
@@ -71,7 +76,9 @@ std::uint64_t digest_of(const World& world, const PinballState& s, int version) 
     }
     add_to(digest, s.rules);
     if (s.goal.done) add_to(digest, s.goal);
+    if (s.has_replay) digest.add(std::uint64_t{1});
     for (const PinballState::Parked& parked : s.parked) {
+        if (parked.has_replay) digest.add(std::uint64_t{1});
         digest.add(static_cast<std::uint64_t>(parked.score));
         digest.add(std::uint64_t{parked.extra_balls});
         for (const std::uint8_t lit : parked.is_lit)

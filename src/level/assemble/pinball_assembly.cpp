@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "level/text/spelling.h"
 
@@ -60,9 +61,30 @@ void PinballAssembly::check_layers(const DeviceIr& ramp) {
         fmt::format("say which material does: material rail layer={}", highest));
 }
 
+// lanes.2: the second device of that name, as a group of its own.
+std::optional<std::uint32_t> PinballAssembly::one_of_group(std::string_view name) {
+    const std::size_t dot = name.find('.');
+    const auto base = groups_.find(name.substr(0, dot));
+    if (dot == std::string_view::npos || base == groups_.end()) return std::nullopt;
+    std::uint32_t number = 0;
+    const auto [end, fault] =
+        std::from_chars(name.data() + dot + 1, name.data() + name.size(), number);
+    const DeviceGroup& all = table_.groups[base->second];
+    if (fault != std::errc() || end != name.data() + name.size() || number < 1 ||
+        number > all.devices.size())
+        return std::nullopt;
+    const std::uint32_t device = all.devices[number - 1];
+    const auto group = static_cast<std::uint32_t>(table_.groups.size());
+    groups_.emplace(std::string(name), group);
+    table_.groups.push_back({std::string(name), all.kind, {device}});
+    table_.devices[device].own_group = static_cast<std::int32_t>(group);
+    return group;
+}
+
 // Finds a group of devices by name. If `may_be_edge`, the edges of that name become one device.
 std::optional<std::uint32_t> PinballAssembly::group_named(const Word& name, bool may_be_edge) {
     if (const auto found = groups_.find(name.text); found != groups_.end()) return found->second;
+    if (const auto one = one_of_group(name.text)) return one;
     const auto is_edge = [&](const CapsuleIr& capsule) {
         return names_.edges[static_cast<std::size_t>(capsule.binding)].name == name.text;
     };
@@ -111,6 +133,7 @@ void PinballAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& wo
     table_.save = settings.save;
     table_.warnings = settings.warnings;
     table_.bonus = settings.bonus;
+    table_.replay = settings.replay;
     table_.highscores = settings.highscores;
     table_.device_of_capsule.assign(ir_.capsules.size(), -1);
     for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {

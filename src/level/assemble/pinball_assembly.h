@@ -21,10 +21,15 @@ class PinballAssembly {
     /// Reports what a game of pinball lacks. `has_balls`: whether a ball starts on the table.
     void check(bool has_balls);
 
-    /// The group of devices with this name; if `may_be_edge`, the edges of that name become one
-    /// device. None: there is no such name, which is reported.
+    /// The group of devices with this name, or that of one of them (lanes.2); if `may_be_edge`, the
+    /// edges of that name become one device. None: there is no such name, which is reported.
     std::optional<std::uint32_t> group_named(const Word& name, bool may_be_edge);
     DeviceKind kind_of(std::uint32_t group) const { return table_.groups[group].kind; }
+    bool is_one_of_group(std::uint32_t group) const {
+        const std::vector<std::uint32_t>& members = table_.groups[group].devices;
+        return members.size() == 1 &&
+               table_.devices[members.front()].own_group == static_cast<std::int32_t>(group);
+    }
     const std::vector<Device>& devices() const { return table_.devices; }
 
     /// Sets Scene::table and World::flippers. `world_zones` has the index into World::zones for
@@ -33,6 +38,7 @@ class PinballAssembly {
 
   private:
     std::string name_of(const DeviceIr& device) const;
+    std::optional<std::uint32_t> one_of_group(std::string_view name);
     void check_layers(const DeviceIr& ramp);
 
     const ResolvedNames& names_;

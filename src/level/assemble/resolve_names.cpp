@@ -58,9 +58,14 @@ class Resolver {
     }
 
   private:
+    // The name of a group: lanes of lanes.2.
+    static std::string_view base_of(std::string_view name) {
+        return name.substr(0, name.find('.'));
+    }
+
     void collect_rule_names() {
         for (const RuleIr& rule : ir_.rules) {
-            rule_names_.insert(rule.subject.text);
+            rule_names_.insert(base_of(rule.subject.text));
             if (rule.other) rule_names_.insert(rule.other->text);
             collect(rule.names);
         }
@@ -69,12 +74,11 @@ class Resolver {
         for (const GoalIr& goal : ir_.goals)
             collect(goal.names);
         for (const AmendmentIr& amendment : ir_.amendments)
-            if (amendment.name)
-                rule_names_.insert(amendment.name->text.substr(0, amendment.name->text.find('.')));
+            if (amendment.name) rule_names_.insert(base_of(amendment.name->text));
     }
     void collect(const std::vector<RuleNameIr>& names) {
         for (const RuleNameIr& name : names)
-            rule_names_.insert(name.word.text);
+            rule_names_.insert(base_of(name.word.text));
     }
 
     ResolvedBalls resolve_kind(const std::optional<Word>& name) {

@@ -99,6 +99,11 @@ bool RuleAssembly::resolve_device_event(RuleIr& spec) {
                *why);
         return false;
     }
+    if (spec.rule.event == RuleEvent::all && table_.is_one_of_group(*group)) {
+        refuse("event-never-happens", spec.event, "one device alone never gives 'all'",
+               "wait for the whole group, or for hit or enter");
+        return false;
+    }
     if (!spec.other) return true;
     refuse("event-of-other-game", *spec.other, "at pinball every ball counts alike",
            fmt::format("write it as: on {} {}", spec.subject.text, spec.event.text));
@@ -285,6 +290,8 @@ void RuleAssembly::check() {
         if (!meanings) continue;
         renumber(spec.task.needs, *meanings);
         renumber(spec.task.text, *meanings);
+        for (std::uint32_t& shot : spec.task.shots)
+            shot = (*meanings)[shot];
         book_.tasks.push_back(spec.task);
     }
     resolve_goals();

@@ -51,6 +51,7 @@ class RuleAssembly {
     // rule_names.cpp: what names denote
     std::optional<std::vector<std::uint32_t>> resolve(const std::vector<RuleNameIr>& names);
     std::optional<std::uint32_t> lights_named(const Word& name);
+    std::optional<std::uint32_t> shot_named(const Word& name);
     std::optional<std::uint32_t> balls_named(const Word& name);
     std::optional<std::uint32_t> find_balls(std::string_view name);
     std::optional<std::uint32_t> find_place(std::string_view name);

@@ -23,6 +23,12 @@ std::optional<std::uint32_t> RuleAssembly::lights_named(const Word& name) {
     return std::nullopt;
 }
 
+std::optional<std::uint32_t> RuleAssembly::shot_named(const Word& name) {
+    if (is_pinball()) return table_.group_named(name, true);
+    return refuse("event-of-other-game", name, "only at pinball parts of the table can be lit",
+                  "say in the text what to aim at");
+}
+
 // The balls of a name: any, cue, opponent; a ball or a rack, or one ball of it (rack.3); a kind.
 std::optional<std::uint32_t> RuleAssembly::find_balls(std::string_view name) {
     if (const auto found = ball_sets_index_.find(name); found != ball_sets_index_.end())
@@ -121,9 +127,10 @@ std::optional<std::vector<std::uint32_t>> RuleAssembly::resolve(
     const std::vector<RuleNameIr>& names) {
     std::vector<std::uint32_t> meanings;
     for (const RuleNameIr& name : names) {
-        const auto found = name.role == Role::lights  ? lights_named(name.word)
-                           : name.role == Role::balls ? balls_named(name.word)
-                                                      : place_named(name.word, false);
+        const auto found = name.role == Role::lights   ? lights_named(name.word)
+                           : name.role == Role::balls  ? balls_named(name.word)
+                           : name.role == Role::device ? shot_named(name.word)
+                                                       : place_named(name.word, false);
         if (!found) return std::nullopt;
         meanings.push_back(*found);
     }

@@ -106,7 +106,8 @@ struct RuleNameIr {
     enum class Role : std::uint8_t {
         lights,  ///< devices that have lights
         balls,   ///< a ball, a rack, a kind, or `ball`, `cue`, `opponent`
-        place    ///< a pocket or a zone
+        place,   ///< a pocket or a zone
+        device   ///< a part of a pinball table
     };
     Word word;
     Role role = Role::lights;

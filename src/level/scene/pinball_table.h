@@ -73,6 +73,7 @@ constexpr const DeviceTraits& traits(DeviceKind kind) {
 struct Device {
     DeviceKind kind = DeviceKind::edge;
     std::uint32_t group = 0;            ///< index into PinballTable::groups
+    std::int32_t own_group = -1;        ///< that of this device alone, if a rule names it; -1: none
     std::vector<CapsuleId> capsules;    ///< its solid shapes, which balls hit
     std::optional<std::uint32_t> zone;  ///< index into World::zones, if it has one
     Vec2 place;                         ///< its centre
@@ -85,7 +86,7 @@ struct Device {
     std::uint8_t to = 0;       ///< ramp: the layer that it enters
 };
 
-/// Devices that share a name, in the order of the file.
+/// Devices that share a name, in the order of the file; or one of them, such as lanes.2.
 struct DeviceGroup {
     std::string name;
     DeviceKind kind = DeviceKind::edge;
@@ -99,9 +100,10 @@ enum class Button : std::uint8_t {
     plunger,
     nudge_left,
     nudge_right,
-    nudge_up
+    nudge_up,
+    add_player  ///< another player joins, during the first ball
 };
-inline constexpr int button_count = 6;
+inline constexpr int button_count = 7;
 
 struct PinballTable {
     std::vector<Device> devices;
@@ -114,6 +116,7 @@ struct PinballTable {
     std::uint32_t balls = 3;  ///< of a game
     double save = 10.0;       ///< ball saver at the start of a ball, s
     std::uint32_t warnings = 3;    ///< nudges before the tilt
+    std::int64_t replay = 0;       ///< a score that gives an extra ball, once a game; 0: none does
     std::int64_t bonus = 1000;     ///< points for one of the bonus
     std::uint32_t highscores = 5;  ///< rows in the table of high scores
 

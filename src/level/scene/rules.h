@@ -247,6 +247,8 @@ struct RulePlace {
 struct RuleTask {
     RuleText text;
     std::vector<RuleClause> needs;
+    /// Pinball: groups of PinballTable to shoot for. They flash while the task is shown.
+    std::vector<std::uint32_t> shots;
 };
 
 /// What counts as done in a level, and how well.

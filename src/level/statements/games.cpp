@@ -18,6 +18,7 @@ void set_pinball(const Arguments& arguments, PinballTable& table) {
     table.save = arguments.number_or("save", table.save);
     if (arguments.has("tilt")) table.warnings = arguments.count("tilt");
     if (arguments.has("bonus")) table.bonus = arguments.count("bonus");
+    if (arguments.has("replay")) table.replay = arguments.count("replay");
     if (arguments.has("highscores")) table.highscores = arguments.count("highscores");
 }
 
@@ -125,6 +126,7 @@ std::vector<Statement> game_statements() {
         "game " + game_names("|") +
         " [race=N] [clock=TIME] [stalemate=N] [breaks=turns|winner] [first=player1|toss] "
         "[fouls=N] [nine=wins|spotted] [points=N] [balls=N] [save=TIME] [tilt=N] [bonus=N] "
+        "[replay=N] "
         "[highscores=N] [players=N] [wins=most|least]";
     return {
         {.name = "game",
@@ -145,6 +147,7 @@ std::vector<Statement> game_statements() {
                   {"save", scalar, Measure::time, not_negative},
                   {"tilt", scalar, Measure::whole, not_negative},
                   {"bonus", scalar, Measure::whole, not_negative},
+                  {"replay", scalar, Measure::whole, not_negative},
                   {"highscores", scalar, Measure::whole, not_negative},
                   {"players", scalar, Measure::whole, positive},
                   {"wins", KeyShape::word}},
@@ -174,7 +177,7 @@ std::vector<Statement> game_statements() {
          .plain_most = many,
          .is_sentence = true},
         {.name = "task",
-         .usage = "task \"TEXT\" [if|unless CONDITION [and CONDITION ...] ...]",
+         .usage = "task \"TEXT\" [for NAME ...] [if|unless CONDITION [and CONDITION ...] ...]",
          .action = add_task,
          .place = Place::top,
          .plain_least = 1,

@@ -38,6 +38,10 @@ bool is_ball_word(std::string_view word) {
     return word == "ball" || word == "cue" || word == "opponent" || word == "it";
 }
 
+bool begins_clause(const Word& word) {
+    return word.text == "while" || word.text == "unless" || word.text == "if";
+}
+
 class RuleReader {
   public:
     RuleReader(const Arguments& arguments, const Scope& scope, Context& context)
@@ -75,10 +79,7 @@ class RuleReader {
     }
 
     std::optional<std::vector<RuleClause>> read_needs(RuleWords& reader, std::size_t& next) {
-        const auto is_lead = [](const Word& word) {
-            return word.text == "while" || word.text == "unless" || word.text == "if";
-        };
-        if (next < words_.size() && is_lead(words_[next]) && words_.size() < next + 3) {
+        if (next < words_.size() && begins_clause(words_[next]) && words_.size() < next + 3) {
             const Word& word = words_[next];
             refuse("rule-incomplete", word, fmt::format("{} what, and what then?", word.text));
             return std::nullopt;
@@ -255,6 +256,10 @@ void add_task(const Arguments& arguments, const Frame& frame, Context& context) 
     auto text = reader.text(task.text, "task \"SHOOT THE RAMP\" if mode=1");
     if (!text) return;
     std::size_t next = 1;
+    std::vector<std::uint32_t> shots;
+    if (next + 1 < arguments.plain.size() && arguments.plain[next].text == "for")
+        for (++next; next < arguments.plain.size() && !begins_clause(arguments.plain[next]); ++next)
+            shots.push_back(reader.name(arguments.plain[next], RuleNameIr::Role::device));
     auto needs = reader.clauses(arguments.plain, next);
     if (!needs) return;
     if (next < arguments.plain.size()) {
@@ -264,7 +269,7 @@ void add_task(const Arguments& arguments, const Frame& frame, Context& context) 
                                fmt::format("write it as: {}", arguments.statement->usage));
         return;
     }
-    task.task = {std::move(*text), std::move(*needs)};
+    task.task = {std::move(*text), std::move(*needs), std::move(shots)};
     context.ir.tasks.push_back(std::move(task));
 }
 

@@ -83,6 +83,9 @@ void write_score_panel(Canvas& canvas, const CellArea& area, const ScorePanel& p
     for (const std::string& line : panel.lines)
         if (writer.rows_left() > 2) writer.line(line, ink_of(Role::text, look));
     if (is_roomy) writer.skip();
+    for (const std::string& line : wrapped(panel.task, inside.columns))
+        if (!line.empty() && writer.rows_left() > 2) writer.line(line, strong);
+    if (is_roomy && !panel.task.empty()) writer.skip();
     if (!panel.message.empty() && writer.rows_left() > 0)
         writer.call(panel.message, ink_of(Role::warning, look));
     else

@@ -23,6 +23,7 @@ struct ScorePanel {
     std::string score;                   ///< digits and commas
     std::string message;                 ///< drawn in a box; may be empty
     std::vector<std::string> lines;      ///< the ball, the bonus, ...
+    std::string task;                    ///< what to do now; may be empty
     std::string call;                    ///< an announcement such as "SHOOT AGAIN"; may be empty
     std::vector<ScoreLine> high_scores;  ///< the best first
 };

@@ -139,6 +139,20 @@ struct AtTable {
 
 }  // namespace
 
+TEST_CASE("a table that nobody touches is played by the demo, until any key") {
+    const TableHome home;
+    AtTable table(home);
+    table.pass(19.0);
+    CHECK_FALSE(table.sees("DEMONSTRATION"));
+    table.pass(4.0);
+    CHECK(table.sees("DEMONSTRATION"));
+    table.key(U'z');
+    CHECK_FALSE(table.sees("DEMONSTRATION"));
+    CHECK(table.sees("ball 1 of 3"));
+    table.pass(5.0);
+    CHECK_FALSE(table.sees("DEMONSTRATION"));
+}
+
 TEST_CASE("with key releases, the first press already holds the flipper up") {
     const TableHome home;
     for (const bool tells : {true, false}) {
