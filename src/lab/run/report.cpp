@@ -7,7 +7,6 @@
 
 #include "lab/json.h"
 #include "lab/run/choice.h"
-#include "level/values/dimension.h"
 #include "physics/world/fingerprint.h"
 
 namespace carom {

@@ -59,7 +59,7 @@ std::variant<Screen, ScreenError> Screen::open(const ScreenOptions& options) {
     if (options.queries && is_modern_emulator()) {
         state->send(capability_questions(environment.terminal.starts_with("screen")));
         constexpr int most_reads = 64;  // bounded, since somebody may be typing meanwhile
-        for (int i = 0; i < most_reads && !state->has_answered_all; ++i) {
+        for (int i = 0; i < most_reads && !state->queries.is_done; ++i) {
             if (!state->wait_once(answer_timeout)) break;
         }
         std::erase_if(state->waiting, [](const InputEvent& event) {
@@ -98,7 +98,7 @@ std::size_t Screen::show(const Canvas& canvas, FrameEnd end) {
         redraw();
         return 0;
     }
-    if (end == FrameEnd::asks) ++state.asked;
+    if (end == FrameEnd::asks) ++state.queries.asked;
     state.frame = change;
     return bytes.size();
 }
@@ -121,7 +121,7 @@ std::vector<InputEvent> Screen::wait(double seconds, int also) {
 }
 
 unsigned Screen::frames_answered() const {
-    return state_->answered;
+    return state_->queries.answered;
 }
 
 MouseMode Screen::mouse() const {

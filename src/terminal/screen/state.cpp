@@ -77,7 +77,7 @@ winsize Screen::State::read_size() {
 void Screen::State::measure() {
     const winsize size = read_size();
     const bool is_to_ask = modes.measure(size.ws_xpixel, size.ws_ypixel, size.ws_col, size.ws_row);
-    if (is_to_ask && is_open && does_answer_questions) send(cell_question);
+    if (is_to_ask && is_open && queries.has_answered) send(cell_question);
     modes.tell(capabilities);
     curses->set_size(capabilities.columns, capabilities.rows);
     differ.set_size(capabilities.columns, capabilities.rows);
@@ -118,15 +118,15 @@ void Screen::State::leave() {
     std::string bytes = modes.off();
     if (capabilities.answers) {
         bytes += status_question;
-        ++asked;
+        ++queries.asked;
     }
     send(bytes);
     // Answers that are still on their way must not reach the shell.
-    while (capabilities.answers && asked != answered && !is_gone) {
+    while (capabilities.answers && queries.asked != queries.answered && !is_gone) {
         if (!wait_once(1.0)) break;
     }
-    if (capabilities.answers) --asked;
-    answered = asked;
+    if (capabilities.answers) --queries.asked;
+    queries.answered = queries.asked;
     curses->leave();
     disarm_restoration();
     tcflush(STDIN_FILENO, TCIFLUSH);

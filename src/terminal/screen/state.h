@@ -18,6 +18,14 @@
 /// The state of an open screen, and the operations of Screen on it.
 namespace carom {
 
+/// What was asked of the terminal, and what it has answered.
+struct Queries {
+    unsigned asked = 0;         // for its status
+    unsigned answered = 0;      // at most `asked`
+    bool has_answered = false;  // any other query
+    bool is_done = false;       // the answer to the last of the first queries has come
+};
+
 struct Screen::State {
     SignalPipe signals;  // before ncurses, which leaves signals alone that are already caught
     TerminalOutput terminal;
@@ -35,10 +43,7 @@ struct Screen::State {
     std::vector<int> deferred;        // signals that arrived during send()
     std::string_view frame;           // the last one sent
     double idle = 0.0;                // s waited without input for the rest of a sequence
-    unsigned asked = 0;               // queries for the terminal's status
-    unsigned answered = 0;            // at most `asked`
-    bool does_answer_questions = false;
-    bool has_answered_all = false;  // the answer to the last query has come
+    Queries queries;
     bool is_open = false;
     bool is_gone = false;
 

@@ -29,9 +29,10 @@ bool is_control_key(const InputEvent& event, char32_t key) {
 void Screen::State::take(const Answer& answer) {
     Capabilities before = capabilities;
     before.answers = capabilities.answers = true;
-    if (answer.kind == Answer::Kind::status) answered = std::min(asked, answered + 1);
-    if (answer.kind == Answer::Kind::attributes) has_answered_all = true;
-    if (answer.kind != Answer::Kind::status) does_answer_questions = true;
+    if (answer.kind == Answer::Kind::status)
+        queries.answered = std::min(queries.asked, queries.answered + 1);
+    if (answer.kind == Answer::Kind::attributes) queries.is_done = true;
+    if (answer.kind != Answer::Kind::status) queries.has_answered = true;
     if (!is_open) return;
     const int promised_before = modes.colors_promised();
     const std::string reply = modes.learn(answer);
