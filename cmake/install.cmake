@@ -4,10 +4,10 @@ include(GNUInstallDirs)
 file(RELATIVE_PATH carom_levels_from_binary
   ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/carom/levels)
 
-set_source_files_properties(src/carom/files/level_files.cpp PROPERTIES COMPILE_DEFINITIONS
-  "CAROM_LEVELS_FROM_BINARY=\"${carom_levels_from_binary}\";CAROM_SOURCE_LEVELS=\"${PROJECT_SOURCE_DIR}/levels\"")
-set_source_files_properties(src/carom/text/version.cpp PROPERTIES COMPILE_DEFINITIONS
-  CAROM_VERSION=\"${PROJECT_VERSION}\")
+# Of the whole library, since a unit of CAROM_UNITY cannot hold files with definitions of their own.
+target_compile_definitions(carom_command PRIVATE
+  CAROM_LEVELS_FROM_BINARY="${carom_levels_from_binary}"
+  CAROM_SOURCE_LEVELS="${PROJECT_SOURCE_DIR}/levels" CAROM_VERSION="${PROJECT_VERSION}")
 
 install(TARGETS carom RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT local)
 # In Debian's package. The way from there to the levels is the same.
@@ -16,5 +16,5 @@ install(DIRECTORY levels/ DESTINATION ${CMAKE_INSTALL_DATADIR}/carom/levels COMP
   FILES_MATCHING PATTERN "*.level" PATTERN "*.table" PATTERN "*.list")
 install(FILES docs/carom.6 DESTINATION ${CMAKE_INSTALL_MANDIR}/man6 COMPONENT data)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")
+  FILES_MATCHING PATTERN "*.md")
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)

@@ -141,7 +141,8 @@ void PinballController::after_ticks(PlayContext& play, double seconds) {
 void PinballController::demonstrate(PlayContext& play, bool does) {
     attracts_ = false;
     if (!does) press_buttons(play, input_.release_all());
-    demo_ = does ? std::optional(DemoPlayer{}) : std::nullopt;
+    demo_.reset();
+    if (does) demo_.emplace();
     say(play, does ? "carom plays: any key of the table takes over" : "your game");
 }
 
