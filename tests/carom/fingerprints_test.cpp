@@ -25,7 +25,7 @@ namespace {
 const std::string golden_file = CAROM_SOURCE_DIR "/tests/golden/fingerprints.txt";
 const std::string trace_file = CAROM_SOURCE_DIR "/tests/golden/traces.txt";
 
-std::vector<std::string> lines_of(const std::string& file) {
+std::vector<std::string> file_lines(const std::string& file) {
     std::vector<std::string> lines;
     std::istringstream text(test::content(file));
     for (std::string line; std::getline(text, line);)
@@ -42,7 +42,7 @@ std::string name_of(const test::GoldenRun& run) {
 std::map<std::string, std::vector<std::string>> golden_traces() {
     std::map<std::string, std::vector<std::string>> traces;
     std::vector<std::string>* rows = nullptr;
-    for (const std::string& line : lines_of(trace_file)) {
+    for (const std::string& line : file_lines(trace_file)) {
         if (!line.starts_with(' '))
             rows = &traces[line];
         else if (rows != nullptr)
@@ -73,7 +73,7 @@ void write_golden(const std::vector<test::GoldenRun>& runs) {
 TEST_CASE("golden fingerprints of every level under every solver") {
     const std::vector<test::GoldenRun> now = runs_now();
     if (std::getenv("CAROM_UPDATE_GOLDEN") != nullptr) return write_golden(now);
-    const std::vector<std::string> golden = lines_of(golden_file);
+    const std::vector<std::string> golden = file_lines(golden_file);
     const auto traces = golden_traces();
     for (const test::GoldenRun& run : now) {
         INFO("not among the golden lines: ", run.line);

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> endings{".h", ".cpp", ".md"};
 
-bool is_name_part(char c) {
+bool is_file_name_part(char c) {
     return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
@@ -28,16 +28,16 @@ std::vector<std::string> names_in(std::string_view text) {
     for (const std::string_view ending : endings)
         for (std::size_t at = text.find(ending); at != text.npos; at = text.find(ending, at + 1)) {
             const std::size_t end = at + ending.size();
-            if (end < text.size() && is_name_part(text[end])) continue;
+            if (end < text.size() && is_file_name_part(text[end])) continue;
             std::size_t begin = at;
-            while (begin > 0 && (is_name_part(text[begin - 1]) || text[begin - 1] == '.' ||
+            while (begin > 0 && (is_file_name_part(text[begin - 1]) || text[begin - 1] == '.' ||
                                  text[begin - 1] == '/' || text[begin - 1] == '-'))
                 --begin;
             std::string_view name = text.substr(begin, end - begin);
             while (name.starts_with("../"))
                 name.remove_prefix(3);
             // Neither a pattern such as {a,b}_test.cpp, nor a place to fill in, nor an address.
-            const bool is_name = is_name_part(name.front()) && name.front() != '_' &&
+            const bool is_name = is_file_name_part(name.front()) && name.front() != '_' &&
                                  name.find("NAME") == name.npos && name.find("//") == name.npos;
             if (is_name) names.emplace_back(name);
         }

@@ -13,10 +13,6 @@ using namespace carom::test;
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 // The ball is struck at tick 5, and goes 1e308 / 60 a tick: 108 ticks later its place is more than
 // a number can hold, about 1.8e308.
 struct Folder : TemporaryFolder {

@@ -18,10 +18,6 @@ const char* const ramp =
     "edge wood r=0.5  20,40  60,25\n"
     "ball a at=30,60 v=2,0 r=2 m=1\n";
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::size_t lines(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }

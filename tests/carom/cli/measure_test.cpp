@@ -20,10 +20,6 @@ const char* const crowd =
     "box 0,0 20,20\n"
     "fill disc count=20 box=0,0,20,20 speed=10\n";
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 Request parse(std::vector<const char*> arguments) {
     arguments.insert(arguments.begin(), "carom");
     return parse_options(static_cast<int>(arguments.size()), arguments.data());

@@ -19,10 +19,6 @@ const char* const falling =
     "edge 0,0 40,0 40,40 0,40 close\n"
     "ball a at=20,30 r=3\n";
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 namespace fs = std::filesystem;
 
 // A call of carom in a document, and what the document has of its output: a file, or the text of

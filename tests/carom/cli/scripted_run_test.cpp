@@ -25,10 +25,6 @@ const char* const push =
     "at 240 drop-edge 4  # lets go\n"
     "at 300 strike 0 8,0\n";
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// The report without what depends on the clock and on the file's name.
 std::string essence(const std::string& report) {
     const std::size_t cost = report.find("  \"cost\"");

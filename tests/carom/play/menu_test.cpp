@@ -10,7 +10,7 @@ using namespace carom;
 
 namespace {
 
-const MayGoOn always = [] { return true; };
+const MayGoOn may_go_on = [] { return true; };
 
 struct Visitor {
     int loads = 0;
@@ -105,13 +105,13 @@ TEST_CASE("q and escape leave") {
 
 TEST_CASE("the selected level is loaded after a moment, and its picture moves") {
     Visitor visitor;
-    visitor.menu.advance(0.01, always);
+    visitor.menu.advance(0.01, may_go_on);
     CHECK(visitor.loads == 0);
-    visitor.menu.advance(0.2, always);
+    visitor.menu.advance(0.2, may_go_on);
     CHECK(visitor.loads == 1);
     const std::string before = visitor.look();
     CHECK(before.find("Nine balls.") != std::string::npos);
-    visitor.menu.advance(0.5, always);
+    visitor.menu.advance(0.5, may_go_on);
     CHECK(visitor.menu.needs_draw());
     CHECK(visitor.look() != before);
     CHECK(visitor.loads == 1);
@@ -120,13 +120,13 @@ TEST_CASE("the selected level is loaded after a moment, and its picture moves") 
 TEST_CASE("a broken level is reported") {
     Visitor visitor;
     visitor.key(key::down);
-    visitor.menu.advance(0.2, always);
+    visitor.menu.advance(0.2, may_go_on);
     CHECK(visitor.look().find("has errors") != std::string::npos);
 }
 
 TEST_CASE("an empty menu can be left") {
     Menu menu({}, [](const std::string&) { return LoadedLevel{}; });
-    menu.advance(1.0, always);
+    menu.advance(1.0, may_go_on);
     Canvas window(80, 24);
     menu.draw(window, 2.0, {});
     InputEvent enter;

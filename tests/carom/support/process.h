@@ -21,6 +21,10 @@ Finished run_carom(const std::vector<std::string>& arguments, const std::string&
 /// Runs it with standard output as a pipe that is closed after its first `bytes`.
 Finished run_carom_into_closed_pipe(const std::vector<std::string>& arguments, std::size_t bytes);
 
+inline bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 /// A folder for a test, deleted with all its contents.
 class TemporaryFolder {
   public:

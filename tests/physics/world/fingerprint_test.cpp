@@ -15,7 +15,7 @@ using namespace carom;
 namespace {
 
 // A world in which every column, list and part of the solvers' memory is in use.
-World full() {
+World sample() {
     World world = scenes::empty();
     Model& model = world.edit_definition().model;
     model.inelastic = model.one_way = model.curved = true;
@@ -112,9 +112,9 @@ const std::vector<Change>& changes() {
 }  // namespace
 
 TEST_CASE("every change of a world changes its fingerprint") {
-    const World world = full();
+    const World world = sample();
     std::set<std::uint64_t> seen{fingerprint(world)};
-    CHECK(fingerprint(full()) == fingerprint(world));
+    CHECK(fingerprint(sample()) == fingerprint(world));
     for (const Change& each : changes()) {
         CAPTURE(each.what);
         World other = world;
@@ -146,7 +146,7 @@ TEST_CASE("a column that comes into use changes the fingerprint") {
 }
 
 TEST_CASE("stamps are not part of the fingerprint") {
-    World world = full();
+    World world = sample();
     const std::uint64_t before = fingerprint(world);
     world.edit_balls();
     world.edit_capsules();

@@ -35,7 +35,7 @@ Canvas drawn(const Scene& scene, const ViewOptions& options, const Annotations& 
     return drawn(scene, options, memory, annotations, contacts);
 }
 
-ViewOptions in(const Renderer& renderer) {
+ViewOptions with(const Renderer& renderer) {
     ViewOptions options;
     options.renderer = &renderer;
     return options;
@@ -64,7 +64,7 @@ TEST_CASE("effects: the number of a pool ball is in its middle wherever the ball
             for (int step = 0; step < 12; ++step) {
                 Scene scene = table_with_ball(radius);
                 scene.world.edit_balls().position[0] = {20.0 + step / 12.0, 10.0 + step / 7.0};
-                const Canvas canvas = drawn(scene, in(half_block_renderer()), numbered(number));
+                const Canvas canvas = drawn(scene, with(half_block_renderer()), numbered(number));
                 for (int row = 0; row < canvas.rows(); ++row) {
                     for (int column = 0; column + 1 < canvas.columns(); ++column) {
                         if (canvas.at(column, row).glyph != static_cast<char32_t>(text[0]))
@@ -93,7 +93,7 @@ TEST_CASE("effects: the number of a pool ball is in its middle wherever the ball
 
 TEST_CASE("effects: a number that would not lie within its ball is left out") {
     const auto has_number = [](double radius) {
-        return drawn(table_with_ball(radius), in(octant_renderer()), numbered(12))
+        return drawn(table_with_ball(radius), with(octant_renderer()), numbered(12))
                    .text()
                    .find("12") != std::string::npos;
     };
@@ -128,7 +128,7 @@ TEST_CASE("effects: a hard impact flashes for a moment, a soft one does not") {
     Contact contact;
     contact.point = {22, 10};
     contact.approach = 10.0;
-    const ViewOptions options = in(half_block_renderer());
+    const ViewOptions options = with(half_block_renderer());
     scene.world.edit_tick() = 5;
     const Canvas quiet = drawn(scene, options);
     ViewMemory memory;
@@ -142,13 +142,13 @@ TEST_CASE("effects: a hard impact flashes for a moment, a soft one does not") {
     CHECK(are_equal(drawn(scene, options, {}, {&contact, 1}), quiet));
     // Characters have no light.
     contact.approach = 10.0;
-    const ViewOptions ascii = in(ascii_renderer());
+    const ViewOptions ascii = with(ascii_renderer());
     CHECK(are_equal(drawn(scene, ascii, {}, {&contact, 1}), drawn(scene, ascii)));
 }
 
 TEST_CASE("effects: colours by speed or mass have a scale, where there are colours") {
     const Scene scene = table_with_ball(2.0);
-    ViewOptions options = in(half_block_renderer());
+    ViewOptions options = with(half_block_renderer());
     options.color_by = ColorBy::speed;
     CHECK(drawn(scene, options).text().find(" 0 ██████████ 10/s") != std::string::npos);
     options.color_by = ColorBy::mass;

@@ -9,7 +9,7 @@ using namespace carom;
 
 namespace {
 
-constexpr Look plain_look{0, false, false};
+constexpr Look no_colors{0, false, false};
 
 }  // namespace
 
@@ -38,7 +38,7 @@ TEST_CASE("a title has the solver, and more if there is room") {
     const auto drawn = [&](int columns) {
         Canvas canvas(columns, 4);
         draw_split(canvas, split({0, 0, columns, 4}, view, 2.0), {"swept", 120, 7},
-                   {"event", 120, 9}, plain_look);
+                   {"event", 120, 9}, no_colors);
         return canvas.text();
     };
     CHECK(drawn(80).starts_with(
