@@ -26,7 +26,7 @@ struct Bounds {
     double overlap_pressed;
 };
 constexpr Bounds of_swept{SolverKind::swept, 1e-9, 1e-3, 1e-9, 1e-9};
-constexpr Bounds of_event{SolverKind::event, 1e-9, 1e-9, 1e-3, 0.04};
+constexpr Bounds of_event{SolverKind::event, 1e-9, 1e-9, 1e-3, 0.05};
 constexpr Bounds of_contact{SolverKind::contact, 1e-2, 1e-2, 0.02 + 1e-9, 0.02 + 1e-9};
 
 void check_push(const Bounds& bounds, int number) {
