@@ -223,7 +223,7 @@ TEST_CASE("movers: one that does not run is a fixed edge, and costs what that co
     }
 }
 
-TEST_CASE("movers: a copy goes on with the same bits, in a new solver too") {
+TEST_CASE("movers: a copy of the world continues with the same bits, also under a new solver") {
     for (const SolverKind kind : all_solvers) {
         CAPTURE(name(kind));
         World world = scenes::gas(60, 9);

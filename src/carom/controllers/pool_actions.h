@@ -18,7 +18,7 @@ bool explain_cue(const PoolController& table, PlayContext& play);
 void skip_to_rest(PlayContext& play);
 
 void next_pot(PoolController& table, PlayContext& play, bool backwards);
-/// The same under rules, where the editor's keys for the next ball have nothing else to do.
+/// next_pot() in a game, for the keys that select the next ball in free play. False: no game.
 bool next_pot_under_rules(PoolController& table, PlayContext& play, bool backwards);
 void next_call(PoolController& table, PlayContext& play);
 void next_aids(PoolController& table, PlayContext& play);

@@ -82,8 +82,8 @@ inline constexpr double soft_overlap = 0.2;
 /// In a strict tick, and without gravity, pairs overlap by no more than this share of the smaller
 /// radius, unless they did before; just below the 0.02 that hands may cause (tick/hands.cpp).
 inline constexpr double strict_overlap = 0.018;
-/// In a substep a pair may take up this share of what is left until there. Without such room every
-/// rest of an approach would be an impact, and jams would reach `most_impacts`.
+/// In each substep, a pair may use up this share of the overlap that remains until that bound.
+/// Without it, every slow approach would be an impact, and jams would reach `most_impacts`.
 inline constexpr double strict_share = 0.5;
 /// A kinematic body goes no further into a ball than this share of the ball's radius.
 inline constexpr double kinematic_overlap = 0.1;

@@ -55,7 +55,7 @@ class World {
     const std::vector<Mover>& movers() const { return movers_; }  ///< each of other edges
     const std::vector<HeldBall>& held_balls() const { return held_balls_; }           ///< by id
     const std::vector<HeldCapsule>& held_capsules() const { return held_capsules_; }  ///< by id
-    /// Of what is held, but for flippers and movers.
+    /// How far the hands that hold those may move in a tick; not of flippers or movers.
     const Hands& hands() const { return hands_; }
 
     const std::vector<std::uint64_t>& counters() const { return ledger_.counters; }

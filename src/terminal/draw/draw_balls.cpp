@@ -11,8 +11,8 @@ namespace carom {
 
 namespace {
 
-// Without colour, the inside of a filled ball is told apart from an edge, and from a ball of
-// another kind, by its character or by how many of its dots are lit. Edges are solid.
+// Without colour, characters or the density of dots distinguish a filled ball from an edge and from
+// balls of other kinds. Edges are solid.
 struct Texture {
     std::array<std::string_view, 3> stamps;  ///< in ASCII, for a ball of one to three columns
     char fill;                               ///< the inside of a larger ball
