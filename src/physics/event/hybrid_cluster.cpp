@@ -1,7 +1,6 @@
 #include "physics/event/hybrid_cluster.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "geometry/closest.h"
@@ -79,22 +78,21 @@ void HybridCluster::find_reach(const World& world) {
 
 void HybridCluster::unite_and_mark(const World& world) {
     ball_count_ = world.balls().size();
-    parent_.resize(ball_count_ + world.held_capsules().size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    sets_.reset(ball_count_ + world.held_capsules().size());
     near_.find(world, reach_, order_);
     for (const NearPair& pair : near_.pairs())
-        if (pair.edge == NearPair::no_edge) unite(order_[pair.a], order_[pair.b]);
+        if (pair.edge == NearPair::no_edge) sets_.unite(order_[pair.a], order_[pair.b]);
     unite_held_capsules(world);
-    is_clustered_.assign(parent_.size(), 0);
+    is_clustered_.assign(sets_.size(), 0);
     for (const BallId id : event_memory(world).clustered)
         if (const auto index = index_of(world, id))
-            is_clustered_[root_of(static_cast<std::uint32_t>(*index))] = 1;
+            is_clustered_[sets_.root_of(static_cast<std::uint32_t>(*index))] = 1;
     for (const Hand& hand : world.hands().each)
         if (lifts(world, hand))
-            if (const auto node = node_of(world, hand)) is_clustered_[root_of(*node)] = 1;
+            if (const auto node = node_of(world, hand)) is_clustered_[sets_.root_of(*node)] = 1;
     // A root is the lowest node of its tree.
-    for (std::uint32_t i = 0; i < parent_.size(); ++i)
-        is_clustered_[i] = is_clustered_[root_of(i)];
+    for (std::uint32_t i = 0; i < sets_.size(); ++i)
+        is_clustered_[i] = is_clustered_[sets_.root_of(i)];
 }
 
 // The node of what the hand holds.
@@ -124,20 +122,8 @@ void HybridCluster::unite_held_capsules(const World& world) {
             if (overlaps(grow({balls.position[i], balls.position[i]}, balls.radius[i] + reach_[i]),
                          box) &&
                 kind_meets_material(world, balls.kind[i], world.capsules().material[*index]))
-                unite(i, static_cast<std::uint32_t>(balls.size() + h));
+                sets_.unite(i, static_cast<std::uint32_t>(balls.size() + h));
     }
-}
-
-std::uint32_t HybridCluster::root_of(std::uint32_t node) {
-    while (parent_[node] != node)
-        node = parent_[node] = parent_[parent_[node]];
-    return node;
-}
-
-void HybridCluster::unite(std::uint32_t a, std::uint32_t b) {
-    a = root_of(a);
-    b = root_of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
 }
 
 bool HybridCluster::widen(const World& world, std::uint32_t ball, Vec2 place) {

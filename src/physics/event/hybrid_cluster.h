@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/broad_phase/near_pairs.h"
+#include "physics/tick/disjoint_sets.h"
 #include "physics/world/contact.h"
 #include "physics/world/ids.h"
 #include "physics/world/world.h"
@@ -68,13 +69,11 @@ class HybridCluster {
     void unite_and_mark(const World& world);
     void unite_held_capsules(const World& world);
     static std::optional<std::uint32_t> node_of(const World& world, const Hand& hand);
-    std::uint32_t root_of(std::uint32_t node);
-    void unite(std::uint32_t a, std::uint32_t b);
 
     NearPairs near_;
     std::vector<std::uint32_t> order_;        // of the balls in near_
     std::vector<double> reach_;               // by ball, length
-    std::vector<std::uint32_t> parent_;       // union-find: balls, then held capsules
+    DisjointSets sets_;                       // balls, then held capsules
     std::vector<std::uint8_t> is_clustered_;  // by ball, then by World::held_capsules
     std::vector<std::uint8_t> was_clustered_;
     std::size_t ball_count_ = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/closest.h"
 #include "physics/broad_phase/cell_frame.h"
@@ -111,34 +110,21 @@ const MoverStep::Edge* MoverStep::find(std::uint32_t capsule) const {
     return found != edges_.end() && found->capsule == capsule ? &*found : nullptr;
 }
 
-std::uint32_t MoverStep::root_of(std::uint32_t node) {
-    while (parent_[node] != node)
-        node = parent_[node] = parent_[parent_[node]];
-    return node;
-}
-
-void MoverStep::unite(std::uint32_t a, std::uint32_t b) {
-    a = root_of(a);
-    b = root_of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-}
-
 // Unites what has met in this tick. Fixed edges unite nothing.
 void MoverStep::find_sets(const Trial& trial) {
     balls_ = static_cast<std::uint32_t>(trial.after.balls().size());
-    parent_.resize(balls_ + active_.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
+    sets_.reset(balls_ + active_.size());
     most_change_.assign(balls_, 0.0);
     impacts_.assign(balls_, 0);
     const double pull = length(trial.before.model().gravity.value_or(Vec2{}));
     for (const Contact& contact : trial.contacts) {
         if (contact.kind == ContactKind::ball_ball) {
-            unite(contact.a, contact.b);
+            sets_.unite(contact.a, contact.b);
         } else if (const Edge* const edge = find(contact.b)) {
             Active& active = active_[edge->active];
             active.has_met = true;
             ++impacts_[contact.a];
-            unite(contact.a, balls_ + edge->active);
+            sets_.unite(contact.a, balls_ + edge->active);
             const double lift =
                 std::sqrt(2.0 * driven_lift_height * pull * trial.before.balls().radius[contact.a]);
             most_change_[contact.a] =
@@ -149,9 +135,9 @@ void MoverStep::find_sets(const Trial& trial) {
 
 // The movers that the ball's set has met are at fault.
 void MoverStep::blame(std::uint32_t ball) {
-    const std::uint32_t root = root_of(ball);
+    const std::uint32_t root = sets_.root_of(ball);
     for (std::uint32_t i = 0; i < active_.size(); ++i)
-        if (root_of(balls_ + i) == root) active_[i].is_at_fault = true;
+        if (sets_.root_of(balls_ + i) == root) active_[i].is_at_fault = true;
 }
 
 // Whether the ball leaves what it has met in the contact, at the end of the tick.
@@ -240,13 +226,13 @@ void MoverStep::check_overlaps(const Trial& trial) {
 
 void MoverStep::check_energies(const Trial& trial) {
     const World& before = trial.before;
-    energy_.assign(parent_.size(), {});
+    energy_.assign(sets_.size(), {});
     for (std::uint32_t i = 0; i < active_.size(); ++i)
-        energy_[root_of(balls_ + i)].has_mover = true;
+        energy_[sets_.root_of(balls_ + i)].has_mover = true;
     const double fall =
         2.0 * length(before.model().gravity.value_or(Vec2{})) * before.tick_length();
     for (std::uint32_t i = 0; i < balls_; ++i) {
-        Energy& set = energy_[root_of(i)];
+        Energy& set = energy_[sets_.root_of(i)];
         if (!set.has_mover) continue;
         const double mass = 1.0 / before.balls().inverse_mass[i];
         const double speed = std::sqrt(square_of(before, i)) + fall;
@@ -256,14 +242,14 @@ void MoverStep::check_energies(const Trial& trial) {
     // A ball may have taken all of the energy of its set before it meets the mover.
     for (std::uint32_t i = 0; i < balls_; ++i) {
         if (most_change_[i] == 0.0) continue;
-        Energy& set = energy_[root_of(i)];
+        Energy& set = energy_[sets_.root_of(i)];
         const double mass = 1.0 / before.balls().inverse_mass[i];
         const double speed = std::sqrt(2.0 * set.before / mass);
         set.gain += 0.5 * mass * most_change_[i] * (2.0 * speed + most_change_[i]);
     }
     for (const HeldBall& ball : before.held_balls())
         if (const auto index = index_of(before, ball.id))
-            energy_[root_of(static_cast<std::uint32_t>(*index))].is_thrown = true;
+            energy_[sets_.root_of(static_cast<std::uint32_t>(*index))].is_thrown = true;
     for (const Contact& contact : trial.contacts) {
         if (contact.kind == ContactKind::ball_ball || find(contact.b)) continue;
         const CapsuleId id = before.capsules().id[contact.b];
@@ -271,10 +257,10 @@ void MoverStep::check_energies(const Trial& trial) {
             std::ranges::lower_bound(trial.after.held_capsules(), id, {}, &HeldCapsule::id);
         const bool is_held = held != trial.after.held_capsules().end() && held->id == id;
         if (is_held || before.materials()[before.capsules().material[contact.b]].kick > 0.0)
-            energy_[root_of(contact.a)].is_thrown = true;
+            energy_[sets_.root_of(contact.a)].is_thrown = true;
     }
     for (std::uint32_t i = 0; i < active_.size(); ++i) {
-        const Energy& set = energy_[root_of(balls_ + i)];
+        const Energy& set = energy_[sets_.root_of(balls_ + i)];
         if (!set.is_thrown && set.after > (set.before + set.gain) * (1.0 + way_rounding))
             active_[i].is_at_fault = true;
     }

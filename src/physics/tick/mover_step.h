@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/tick/disjoint_sets.h"
 #include "physics/world/contact.h"
 #include "physics/world/world.h"
 
@@ -78,8 +79,6 @@ class MoverStep {
     };
     MoverClock clock_of(const World& world, const Active& active) const;
     const Edge* find(std::uint32_t capsule) const;
-    std::uint32_t root_of(std::uint32_t node);
-    void unite(std::uint32_t a, std::uint32_t b);
     void find_sets(const Trial& trial);
     void blame(std::uint32_t ball);
     static bool separates(const Trial& trial, const Contact& contact);
@@ -91,7 +90,7 @@ class MoverStep {
     std::vector<Active> active_;
     std::vector<Edge> edges_;  // ascending by capsule
     // Scratch. A node is a ball, or behind all balls an active mover.
-    std::vector<std::uint32_t> parent_;
+    DisjointSets sets_;
     std::uint32_t balls_ = 0;
     struct Energy {
         double before = 0.0;
