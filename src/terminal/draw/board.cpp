@@ -147,9 +147,8 @@ Mask outside_of(const Scene& scene, const Grid& grid) {
 }
 
 // The distance of each cell from the nearest one that is set, in cells, by steps to the eight
-// neighbours. A diagonal step counts less than it is long, so that corners come out squarer.
-std::vector<float> distance_from(const Grid& grid, const Mask& set) {
-    constexpr float diagonal = 1.2F;
+// neighbours. A `diagonal` step counts less than it is long, so that corners come out squarer.
+std::vector<float> distance_from(const Grid& grid, const Mask& set, float diagonal = 1.2F) {
     std::vector<float> distance(grid.size(), 1e9F);
     for (std::size_t i = 0; i < set.size(); ++i)
         if (set[i] != 0) distance[i] = 0.0F;
@@ -178,9 +177,37 @@ double widest_pocket(const Scene& scene) {
     return radius;
 }
 
+// Squares off the bed where a pocket bites into it: around each pocket, what lies beside a part of
+// the bed in its row and in its column becomes bed. So corners of the frame are not cut off.
+void fill_bites(Mask& bed, const Scene& scene, const Grid& grid) {
+    constexpr double reach = 4.0;  // radii of the pocket
+    for (const std::uint32_t pocket : scene.pool.pockets) {
+        const Capsule& shape = scene.world.zones()[pocket].shape;
+        const Box around = grow(Box{shape.start, shape.start}, reach * shape.radius);
+        const int left = grid.column_of(around.low.x);
+        const int right = grid.column_of(around.high.x);
+        const int top = grid.row_of(around.low.y);
+        const int bottom = grid.row_of(around.high.y);
+        std::vector<bool> has_in_column(static_cast<std::size_t>(right - left + 1));
+        std::vector<bool> has_in_row(static_cast<std::size_t>(bottom - top + 1));
+        const auto each_cell = [&](const auto& visit) {
+            for (int row = top; row <= bottom; ++row)
+                for (int column = left; column <= right; ++column)
+                    visit(bed[grid.index(column, row)], static_cast<std::size_t>(column - left),
+                          static_cast<std::size_t>(row - top));
+        };
+        each_cell([&](std::uint8_t cell, std::size_t column, std::size_t row) {
+            if (cell != 0) has_in_column[column] = has_in_row[row] = true;
+        });
+        each_cell([&](std::uint8_t& cell, std::size_t column, std::size_t row) {
+            if (has_in_column[column] && has_in_row[row]) cell = 1;
+        });
+    }
+}
+
 // The distance from the bed without the mouths of its pockets, so that the frame runs straight.
 std::vector<float> distance_from_bed(const Scene& scene, const Grid& grid, const Mask& bed) {
-    const double mouth = is_pool_table(scene) ? 1.2 * widest_pocket(scene) / grid.cell : 0.0;
+    const double mouth = is_pool_table(scene) ? 1.7 * widest_pocket(scene) / grid.cell : 0.0;
     if (mouth == 0.0) return distance_from(grid, bed);
     Mask off_bed(grid.size());
     for (std::size_t i = 0; i < bed.size(); ++i)
@@ -189,7 +216,9 @@ std::vector<float> distance_from_bed(const Scene& scene, const Grid& grid, const
     Mask deep(grid.size());
     for (std::size_t i = 0; i < bed.size(); ++i)
         deep[i] = static_cast<double>(depth[i]) > mouth;
-    std::vector<float> far = distance_from(grid, deep);
+    fill_bites(deep, scene, grid);
+    constexpr float square = 1.0F;
+    std::vector<float> far = distance_from(grid, deep, square);
     for (float& distance : far)
         distance = std::max(0.0F, distance - static_cast<float>(mouth));
     return far;
@@ -211,6 +240,19 @@ RailWidths rail_widths(const Scene& scene) {
     if (!scene.table.is_empty()) return {1.4 * radius, 0.0};
     const Vec2 extent = size(scene.view);
     return {scene.dress.theme.rail ? 0.03 * std::max(extent.x, extent.y) : 0.0, 0.0};
+}
+
+// The width, in cells, of a rail that contains the jaws of the pockets: edges that lead off the
+// bed.
+double rail_around_jaws(const Scene& scene, const Grid& grid, const std::vector<float>& far,
+                        double rail) {
+    const double pocket = is_pool_table(scene) ? widest_pocket(scene) / grid.cell : 0.0;
+    if (pocket == 0.0) return rail;
+    double width = rail;
+    for (const Capsule& jaw : scene.world.capsules().shape)
+        for (const Vec2 end : {jaw.start, jaw.end})
+            width = std::max(width, static_cast<double>(far[grid.index_of(end)]) + 0.5 * pocket);
+    return std::min(width, 4.0 * pocket);
 }
 
 bool wants_board(const Scene& scene) {
@@ -257,7 +299,8 @@ void Board::flood(const Scene& scene) {
     for (std::size_t i = 0; i < bed.size(); ++i)
         if (pockets[i] != 0) bed[i] = 0;
     const std::vector<float> far = distance_from_bed(scene, grid, bed);
-    const auto rail = static_cast<float>(widths.rail / grid.cell);
+    const auto rail =
+        static_cast<float>(rail_around_jaws(scene, grid, far, widths.rail / grid.cell));
     const auto cushion = static_cast<float>(widths.cushion / grid.cell);
     const bool has_plastics = !scene.table.is_empty();
     const Mask walls = has_plastics ? walls_of(scene, grid, 0.0, false) : Mask(grid.size(), 0);

@@ -78,14 +78,49 @@ void write_board_labels(Canvas& canvas, const View& view) {
     }
 }
 
+namespace {
+
+// Whether a ball is drawn in the cell.
+bool is_under_ball(const View& view, int column, int row) {
+    const Balls& balls = view.world.balls();
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const CellPoint at = to_cells(view.camera, balls.position[i]);
+        const double radius = balls.radius[i] * view.camera.columns_per_length;
+        if (std::abs(at.column - (column + 0.5)) < radius + 1.0 &&
+            std::abs(at.row - (row + 0.5)) < radius / view.camera.aspect + 1.0)
+            return true;
+    }
+    return false;
+}
+
+// Whether text may stand in all of these cells. A ball on its way over them does not count.
+bool is_bare_ground(const Canvas& canvas, const View& view, int column, int row, int width) {
+    for (int i = column; i < column + width; ++i)
+        if (!view.memory.ground.is_bare(canvas, i, row) && !is_under_ball(view, i, row))
+            return false;
+    return true;
+}
+
+}  // namespace
+
 void write_on_ground(Canvas& canvas, const View& view, int column, int row, std::string_view text,
                      const Ink& ink) {
     const CellArea& area = view.camera.area;
+    const int width = columns_of(text);
+    if (!is_bare_ground(canvas, view, column, row, width))
+        for (const int aside : {1, -1, 2, -2, 3, -3})
+            // A blank on both sides keeps texts apart.
+            if (is_bare_ground(canvas, view, column + aside - 1, row, width + 2)) {
+                column += aside;
+                break;
+            }
     for (; !text.empty(); ++column) {
         const std::size_t bytes = decode_utf8(text).bytes;
         const bool is_seen = column >= area.column && column < area.column + area.columns &&
                              row >= area.row && row < area.row + area.rows;
-        if (is_seen && view.memory.ground.is_bare(canvas, column, row))
+        const bool is_free = is_seen && (view.memory.ground.is_bare(canvas, column, row) ||
+                                         !is_under_ball(view, column, row));
+        if (is_free)
             canvas.write(column, row, text.substr(0, bytes), ink.color, default_color,
                          ink.attributes);
         text.remove_prefix(bytes);

@@ -106,7 +106,8 @@ int number_width(const View& view, std::size_t ball);
 void polish_balls(std::vector<Ink>& inks, const View& view);
 
 // Onto the canvas, over all shapes.
-/// Writes text on the board: in cells that show nothing but the ground.
+/// Writes text on the board: up to three columns aside, if only the ground is there; else over what
+/// is there. It never covers a ball.
 void write_on_ground(Canvas& canvas, const View& view, int column, int row, std::string_view text,
                      const Ink& ink);
 void write_insert_names(Canvas& canvas, const View& view);

@@ -186,6 +186,22 @@ void paint_pool(Raster& raster, const View& view) {
     }
 }
 
+// Whether the cells of a number on this ball would cover another ball, as they do in a rack of
+// small balls: there, colours say more.
+bool covers_another(const View& view, std::size_t ball, int width) {
+    const Balls& balls = view.world.balls();
+    const double scale = view.camera.columns_per_length;
+    constexpr double seen = 0.8;  // of a ball's radius: what must stay uncovered
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (i == ball) continue;
+        const Vec2 apart = (balls.position[i] - balls.position[ball]) * scale;
+        const Vec2 beyond{std::max(0.0, std::abs(apart.x) - 0.5 * width),
+                          std::max(0.0, std::abs(apart.y) - 0.5 * view.camera.aspect)};
+        if (length(beyond) < seen * balls.radius[i] * scale) return true;
+    }
+    return false;
+}
+
 bool is_striped(const View& view, std::size_t ball) {
     return view.annotations.pool && view.options.color_by == ColorBy::kind &&
            is_stripe(number_of(*view.annotations.pool, view.world.balls().id[ball]));
@@ -203,7 +219,8 @@ int number_width(const View& view, std::size_t ball) {
     constexpr double margin = 0.75;  // columns
     const Renderer& renderer = renderer_in_force(view.options);
     const bool is_round = renderer.has_pixels() && diameter * renderer.across >= least_round;
-    return is_round && diameter < width + margin ? 0 : width;
+    if (is_round && diameter < width + margin) return 0;
+    return covers_another(view, ball, width) ? 0 : width;
 }
 
 void write_numbers(Canvas& canvas, const View& view) {

@@ -25,7 +25,8 @@ void paint_pockets(Raster& raster, const View& view) {
         const RasterPoint at = to_raster(view.camera, shape.start);
         const double radius = shape.radius * view.camera.columns_per_length;
         raster.disc(at, leather_share * radius, 0.0, {leather, 255, '\0'});
-        raster.disc(at, hole_share * radius, 0.0, {hole, 255, '\0'});
+        const double seen = 0.75;  // columns: a smaller hole would be lost between pixels
+        raster.disc(at, std::max(hole_share * radius, seen), 0.0, {hole, 255, '\0'});
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "terminal/canvas/color.h"
+#include "terminal/canvas/legible.h"
 
 namespace carom {
 
@@ -50,6 +51,13 @@ bool is_within(const std::vector<Vec2>& corners, Vec2 at) {
         if (at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)) inside = !inside;
     }
     return inside;
+}
+
+// A cell of pixels, which shows the ground already: half blocks, quadrants, sextants, octants.
+bool is_mosaic(char32_t glyph) {
+    return (glyph >= U'\u2580' && glyph <= U'\u259f') ||
+           (glyph >= U'\U0001fb00' && glyph <= U'\U0001fbff') ||
+           (glyph >= U'\U0001cc00' && glyph <= U'\U0001cebf');
 }
 
 Box bounds_of(const PaintedArea& area) {
@@ -203,9 +211,11 @@ void GroundLayer::lay(Canvas& canvas) const {
             if (!canvas.holds(area.column + column, area.row + row)) continue;
             Cell& cell = canvas.at(area.column + column, area.row + row);
             if (cell.background != default_color) continue;
+            if (renderer.has_pixels() && is_mosaic(cell.glyph)) continue;
             const int across = column * renderer.across + renderer.across / 2;
             const int down = row * renderer.down + renderer.down / 2;
             cell.background = color_at(across, down);
+            cell.foreground = legible_on(cell.foreground, cell.background, key_->look);
         }
 }
 

@@ -34,24 +34,47 @@ int write_ball(Canvas& canvas, int column, int row, int number, const Look& look
                         bold);
 }
 
+// From the middle of the ball to its rim, the tip moves further than to scale: so it shows.
+constexpr double tip_scale = 1.4;
+
+// In characters, three rows of five.
+void write_tip(Canvas& canvas, const CellArea& area, const PoolPanel::Tip& tip, const Look& look) {
+    const Color white = ink_of_pool_ball(0, look).color;
+    const int column = area.column + (area.columns - 5) / 2;
+    int row = area.row;
+    for (const std::string_view text : {" .-. ", "(   )", " '-' "})
+        canvas.write(column, row++, text, white);
+    constexpr double half_way = 0.5;  // of the furthest place, half a radius
+    const auto steps = [](double offset) {
+        return std::clamp(std::lround(offset / half_way), -1L, 1L);
+    };
+    const Ink ink = ink_of(Role::contact, look);
+    canvas.write(column + 2 + static_cast<int>(steps(tip.side)),
+                 area.row + 1 - static_cast<int>(steps(tip.follow)), "x", ink.color, default_color,
+                 bold);
+}
+
 // The cue ball as the player sees it, and the point that the tip strikes.
 void draw_tip(Canvas& canvas, const CellArea& area, const PoolPanel::Tip& tip,
               const Renderer& renderer, double aspect, const Look& look) {
+    if (renderer.has_regions()) return write_tip(canvas, area, tip, look);
     Raster raster(renderer, area.columns, area.rows, aspect, look);
-    const RasterPoint middle{0.5 * area.columns, 0.5 * area.rows * aspect};
+    // The middle is the middle of a pixel, so that the tip in the middle is seen to be there.
+    const double width = 1.0 / renderer.across;
+    const double height = aspect / renderer.down;
+    const auto middle_of = [](int pixels, double size) { return ((pixels - 1) / 2 + 0.5) * size; };
+    const RasterPoint middle{middle_of(raster.samples_across(), width),
+                             middle_of(raster.samples_down(), height)};
     const double radius = std::min(middle.x, middle.y);
     const Ink white = ink_of_pool_ball(0, look);
-    // The tip strikes within half a radius of the middle.
-    const RasterPoint at{middle.x + 0.7 * radius * tip.side, middle.y - 0.7 * radius * tip.follow};
+    const RasterPoint at{middle.x + tip_scale * radius * tip.side,
+                         middle.y - tip_scale * radius * tip.follow};
     if (renderer.has_pixels()) {
-        raster.disc(middle, radius, 0.0, {white, 255, '\0'});
-        raster.disc(at, 0.2 * radius, 0.0, {ink_of(Role::contact, look), 255, '\0'});
+        raster.disc(middle, radius, 0.0, {.ink = white, .is_crisp = true});
+        raster.disc(at, 0.2 * radius, 0.0, {.ink = ink_of(Role::contact, look), .is_crisp = true});
     } else {
         raster.disc(middle, radius, 2.0 * raster.hairline(), {white, 0, ' '});
-        if (renderer.has_regions())
-            raster.stamp(at, "x", ink_of(Role::contact, look));
-        else
-            raster.disc(at, 0.0, 0.0, {ink_of(Role::contact, look), 255, '\0'});
+        raster.disc(at, 0.0, 0.0, {ink_of(Role::contact, look), 255, '\0'});
     }
     raster.show(canvas, area.column, area.row);
 }
@@ -109,11 +132,11 @@ void draw_strip(Canvas& canvas, const CellArea& area, const PoolPanel& panel,
 
 void draw_column(Canvas& canvas, const CellArea& area, const PoolPanel& panel,
                  const Renderer& renderer, double aspect, const Look& look) {
-    constexpr int tip_rows = 2;
+    constexpr int tip_rows = 3;
     int row = area.row;
     if (panel.tip && area.columns == most_side_columns) {
-        draw_tip(canvas, {area.column, row, area.columns - 1, tip_rows}, *panel.tip, renderer,
-                 aspect, look);
+        draw_tip(canvas, {area.column, row, area.columns, tip_rows}, *panel.tip, renderer, aspect,
+                 look);
     }
     row += tip_rows + 1;
     for (const int ball : panel.tray) {

@@ -176,6 +176,11 @@ void draw_rules_card(Canvas& canvas, const CellArea& area, std::string_view titl
         const bool is_goal = whole.starts_with("Goal:");
         flow(whole, entry ? indent : 0, ink_of(is_goal ? Role::warning : Role::text, look));
     }
+    if (row > inside.rows) {
+        row = inside.rows - 1;
+        clear_area(canvas, {inside.column, inside.row + row, inside.columns, 1});
+        write("F1 shows the rest", 0, ink_of(Role::faint, look));
+    }
     lay_pane(canvas, area, look);
 }
 

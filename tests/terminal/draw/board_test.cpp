@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "level/load.h"
+#include "terminal/canvas/oklab.h"
 #include "terminal/draw/draw.h"
 
 using namespace carom;
@@ -63,6 +65,22 @@ TEST_CASE("board: gaps as wide as a ball do not let the outside in, and a lost w
     CHECK(Board(scene_of(pool_table("edge 0,0 200,0\n"))).is_empty());
 }
 
+TEST_CASE("board: a pool table's rails have square corners, and hold the jaws of its pockets") {
+    const Scene scene = scene_of(
+        pool_table("edge 6,0 194,0\nedge 6,100 194,100\nedge 0,6 0,94\nedge 200,6 200,94\n"
+                   "edge 6,0 2,-12\nedge 0,6 -12,2\n"
+                   "pocket c at=-4,-4 r=6\npocket c at=204,-4 r=6\npocket c at=-4,104 r=6\n"
+                   "pocket c at=204,104 r=6\n"));
+    const Board board(scene);
+    REQUIRE_FALSE(board.is_empty());
+    const Box& frame = board.frame();
+    const double inside = 0.02 * size(frame).x;
+    CHECK(board.at(frame.low + Vec2{inside, inside}) == Ground::rail);
+    CHECK(board.at(frame.high - Vec2{inside, inside}) == Ground::rail);
+    CHECK(frame.low.y < -12.0);
+    CHECK(frame.low.x < -12.0);
+}
+
 TEST_CASE("board: what is closed off from the balls of a pinball table is a plastic") {
     const Board board(scene_of(
         "ball b at=10,50 r=2\nbox 0,0 100,100\nslingshot s 60,20 70,50 kick=1\n"
@@ -79,6 +97,32 @@ TEST_CASE("board: other levels have one where their theme says so") {
     const Scene scene = scene_of("theme board=navy\n" + level);
     CHECK(Board(scene).at({5, 5}) == Ground::board);
     CHECK(shown_box(scene, Board(scene)).high.x >= 10.0);
+}
+
+TEST_CASE("draw: a label moves aside from an edge, and is dark or light enough to be read") {
+    // The label would begin on the edge; two columns to the right the ground is free.
+    const Scene scene = scene_of(
+        "world 0,0 40,20\npaint rect 0,0 40,20 color=#203040\nedge 10,0 10,20 r=0.5\n"
+        "ball b at=35,10 r=1\nlabel \"CLEAR\" at=9,10 align=left color=#302030\n");
+    Canvas canvas(40, 10);
+    ViewOptions options;
+    options.renderer = &half_block_renderer();
+    options.look.colors = direct_colors;
+    ViewMemory memory;
+    draw_world(canvas, fit_camera(scene.view, {0, 0, 40, 10}, 2.0), scene, scene.world, {}, {},
+               options, memory);
+    int letters = 0;
+    for (int row = 0; row < 10; ++row)
+        for (int column = 0; column < 40; ++column) {
+            const Cell& cell = canvas.at(column, row);
+            if (cell.glyph < U'A' || cell.glyph > U'Z') continue;
+            ++letters;
+            CHECK(column > 10);
+            const double text = lab_of(rgb_of(cell.foreground)).lightness;
+            const double ground = lab_of(rgb_of(cell.background)).lightness;
+            CHECK(std::abs(text - ground) > 0.2);
+        }
+    CHECK(letters == 5);
 }
 
 TEST_CASE("draw: a ball named red is red, paint lies under it, and a label on free ground") {

@@ -101,6 +101,20 @@ TEST_CASE("effects: a number that would not lie within its ball is left out") {
     CHECK(has_number(2.0));
 }
 
+TEST_CASE("effects: numbers do not cover other balls, as in a rack of small balls") {
+    const auto shows_twelve = [](double apart) {
+        Scene scene = table_with_ball(0.7);
+        BallSpec other;
+        other.position = {20.0 + apart, 10.0};
+        other.radius = 0.7;
+        add_ball(scene.world, other);
+        return drawn(scene, with(half_block_renderer()), numbered(12)).text().find("12") !=
+               std::string::npos;
+    };
+    CHECK_FALSE(shows_twelve(1.4));
+    CHECK(shows_twelve(4.0));
+}
+
 TEST_CASE("effects: a pool ball has a shadow to its lower right, a ball of few pixels none") {
     const auto shadow_of = [](int pixels) {
         Raster raster(half_block_renderer(), 20, 10, 2.0);
