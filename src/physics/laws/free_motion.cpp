@@ -5,14 +5,8 @@
 
 namespace carom {
 
-Flight flight_over(std::optional<double> drag, double duration) {
-    if (!drag)
-        return {.duration = duration,
-                .decay = 1.0,
-                .travel_per_velocity = duration,
-                .travel_per_gravity = 0.5 * duration * duration,
-                .velocity_per_gravity = duration};
-    const double exponent = *drag * duration;
+Flight flight_with_drag(double drag, double duration) {
+    const double exponent = drag * duration;
     const double mean = duration * mean_decay(exponent);
     return {.duration = duration,
             .decay = exponential(-exponent),

@@ -18,8 +18,18 @@ struct Flight {
     double velocity_per_gravity = 0.0;  ///< s
 };
 
+/// `drag` in 1/s. Pre: duration >= 0.
+Flight flight_with_drag(double drag, double duration);
+
 /// `drag` in 1/s; none: only gravity acts. Pre: duration >= 0.
-Flight flight_over(std::optional<double> drag, double duration);
+inline Flight flight_over(std::optional<double> drag, double duration) {
+    if (drag) return flight_with_drag(*drag, duration);
+    return {.duration = duration,
+            .decay = 1.0,
+            .travel_per_velocity = duration,
+            .travel_per_gravity = 0.5 * duration * duration,
+            .velocity_per_gravity = duration};
+}
 
 /// Displacement over the step, length.
 inline Vec2 travel(const Flight& flight, Vec2 velocity, Vec2 gravity) {

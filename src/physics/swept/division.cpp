@@ -12,12 +12,33 @@
 namespace carom {
 namespace {
 
+// What gravity adds to a speed in a tick.
+double fall_speed(const World& world) {
+    return world.model().gravity ? length(*world.model().gravity) * world.tick_length() : 0.0;
+}
+
+// Whether more than `most_far_balls` balls could go far: a bound without roots, since nearly every
+// tick ends here. It uses (a + b)^2 <= 2 (a^2 + b^2).
+bool can_many_go_far(const World& world) {
+    const Balls& balls = world.balls();
+    const double fall = fall_speed(world);
+    const double radii = world.tick_length() / swept_tolerance::far;
+    const double scale = 2.0 * radii * radii;
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const double radius = balls.radius[i];
+        const double bound = (length_squared(balls.velocity[i]) + fall * fall) * scale;
+        count += bound < radius * radius ? 0 : 1;
+    }
+    return count > swept_tolerance::most_far_balls;
+}
+
 // How far balls go in a tick, in their own radii: of those that go far.
 std::vector<double> far_paths(const World& world) {
     const Balls& balls = world.balls();
     const Model& model = world.model();
     const double tick = world.tick_length();
-    const double fall = model.gravity ? length(*model.gravity) * tick : 0.0;
+    const double fall = fall_speed(world);
     const double most = model.speed_limit.value_or(std::numeric_limits<double>::infinity());
     std::vector<double> paths;
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -36,7 +57,7 @@ bool is_far(double path, double radius) {
 SweptDivision divide_tick(const World& world, int asked) {
     const double tick = world.tick_length();
     const SweptDivision plain{asked, tick / asked};
-    if (std::ssize(world.balls().velocity) <= swept_tolerance::most_far_balls) return plain;
+    if (!can_many_go_far(world)) return plain;
     std::vector<double> paths = far_paths(world);
     if (std::ssize(paths) <= swept_tolerance::most_far_balls) return plain;
     const auto last = paths.begin() + swept_tolerance::most_far_balls;
