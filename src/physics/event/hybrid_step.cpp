@@ -30,11 +30,7 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
     }
     for (int attempt = 1;; ++attempt) {
         if (cluster_.is_everything() || attempt > most_attempts) {
-            contact.tick(world, substeps_for(world), contacts, touched);
-            standing_.assign(contact.standing().begin(), contact.standing().end());
-            pressing_.assign(contact.pressing().begin(), contact.pressing().end());
-            forget_trajectories(world);
-            cluster_.find_staying(world, memory_of(world).clustered);
+            step_all(world, contact, contacts, touched);
             return EventOutcome::done;
         }
         if (attempt > 1 || !has_free_part_of(world)) take_part(world, false, free_);
@@ -47,37 +43,24 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         const bool free_went_further = widen_reaches(world, free_);
         if (widen_reaches(world, dense_) || free_went_further)
             if (cluster_.find_again(world)) continue;
-        write_back(world, free_, touched);
-        write_back(world, dense_, touched);
-        standing_.clear();
-        for (const std::uint32_t ball : event.standing())
-            standing_.push_back(free_.ball[ball]);
-        for (const std::uint32_t ball : contact.standing())
-            standing_.push_back(dense_.ball[ball]);
-        for (std::size_t h = 0; h < world.held_capsules().size(); ++h) {
-            const auto index = index_of(world, world.held_capsules()[h].id);
-            if (!index) continue;
-            const World& part = cluster_.has_held_capsule(h) ? dense_.world : free_.world;
-            SolverAccess(world).capsules().shape[*index] = part.capsules().shape[*index];
-        }
-        pressing_.assign(contact.pressing().begin(), contact.pressing().end());
-        name_by_whole(dense_, pressing_);
+        write_back(world, touched);
+        note_pressing(event, contact);
         merge_contacts(contacts);
-        EventMemory& memory = memory_of(world);
-        const EventMemory& of_free = event_memory(free_.world);
-        memory.trajectories = of_free.trajectories;
-        if (!world.held_capsules().empty()) memory.trajectories.obstacles = 0;
-        cluster_.find_staying(dense_.world, memory.clustered);
-        memory.contacts = contact_memory(dense_.world).contacts;
-        memory.stored_energy = contact_memory(dense_.world).stored_energy;
-        memory.clustered.insert(memory.clustered.end(), of_free.clustered.begin(),
-                                of_free.clustered.end());
-        std::ranges::sort(memory.clustered);
+        merge_memory(world);
         SolverAccess(world).stamp_motion();
         SolverAccess(world).stamp_memory();
         free_stamps_ = world.stamps();
         return outcome;
     }
+}
+
+void HybridStep::step_all(World& world, ContactSolver& contact, std::vector<Contact>& contacts,
+                          std::vector<std::uint8_t>& touched) {
+    contact.tick(world, substeps_for(world), contacts, touched);
+    standing_.assign(contact.standing().begin(), contact.standing().end());
+    pressing_.assign(contact.pressing().begin(), contact.pressing().end());
+    forget_trajectories(world);
+    cluster_.find_staying(world, memory_of(world).clustered);
 }
 
 // Whether the free part that the last tick left is that of this tick: the world has not changed
@@ -152,11 +135,44 @@ bool HybridStep::widen(const World& world, const Contact& contact, const Part& p
     return went_further;
 }
 
-void HybridStep::write_back(World& world, const Part& part,
-                            std::vector<std::uint8_t>& touched) const {
-    write_rows(part.world.balls(), part.ball, SolverAccess(world).balls());
-    for (std::size_t i = 0; i < part.ball.size(); ++i)
-        touched[part.ball[i]] = part.touched[i];
+// Balls, and the edges that each part has moved.
+void HybridStep::write_back(World& world, std::vector<std::uint8_t>& touched) const {
+    for (const Part* const part : {&free_, &dense_}) {
+        write_rows(part->world.balls(), part->ball, SolverAccess(world).balls());
+        for (std::size_t i = 0; i < part->ball.size(); ++i)
+            touched[part->ball[i]] = part->touched[i];
+    }
+    for (std::size_t h = 0; h < world.held_capsules().size(); ++h) {
+        const auto index = index_of(world, world.held_capsules()[h].id);
+        if (!index) continue;
+        const World& part = cluster_.has_held_capsule(h) ? dense_.world : free_.world;
+        SolverAccess(world).capsules().shape[*index] = part.capsules().shape[*index];
+    }
+}
+
+// What both solvers say of the tick, by index in the whole.
+void HybridStep::note_pressing(const EventEngine<double>& event, const ContactSolver& contact) {
+    standing_.clear();
+    for (const std::uint32_t ball : event.standing())
+        standing_.push_back(free_.ball[ball]);
+    for (const std::uint32_t ball : contact.standing())
+        standing_.push_back(dense_.ball[ball]);
+    pressing_.assign(contact.pressing().begin(), contact.pressing().end());
+    name_by_whole(dense_, pressing_);
+}
+
+// Trajectories from the free part, persistent contacts from the cluster.
+void HybridStep::merge_memory(World& world) {
+    EventMemory& memory = memory_of(world);
+    const EventMemory& of_free = event_memory(free_.world);
+    memory.trajectories = of_free.trajectories;
+    if (!world.held_capsules().empty()) memory.trajectories.obstacles = 0;
+    cluster_.find_staying(dense_.world, memory.clustered);
+    memory.contacts = contact_memory(dense_.world).contacts;
+    memory.stored_energy = contact_memory(dense_.world).stored_energy;
+    memory.clustered.insert(memory.clustered.end(), of_free.clustered.begin(),
+                            of_free.clustered.end());
+    std::ranges::sort(memory.clustered);
 }
 
 // From indices in the part to those in the whole.

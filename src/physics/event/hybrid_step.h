@@ -61,8 +61,13 @@ class HybridStep {
     static void name_by_whole(const Part& part, std::span<Contact> contacts);
     bool widen_reaches(const World& world, const Part& part);
     bool widen(const World& world, const Contact& contact, const Part& part);
-    void write_back(World& world, const Part& part, std::vector<std::uint8_t>& touched) const;
+    /// Lets `contact` step all balls.
+    void step_all(World& world, ContactSolver& contact, std::vector<Contact>& contacts,
+                  std::vector<std::uint8_t>& touched);
+    void write_back(World& world, std::vector<std::uint8_t>& touched) const;
+    void note_pressing(const EventEngine<double>& event, const ContactSolver& contact);
     void merge_contacts(std::vector<Contact>& contacts);
+    void merge_memory(World& world);
     static int substeps_for(const World& cluster);
 
     std::vector<std::uint32_t> standing_;

@@ -1,14 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory_resource>
 #include <vector>
 
 #include "physics/event/impact/impact_cluster.h"
-#include "physics/event/impact/impact_friction.h"
-#include "physics/event/impact/lasting_impact.h"
+#include "physics/event/impact/impact_group.h"
 #include "physics/event/impact/position_correction.h"
-#include "physics/event/impact/restitution.h"
 #include "physics/event/motion/kinematic_bodies.h"
 #include "physics/event/motion/work_meter.h"
 #include "physics/event/rest/collapse_guard.h"
@@ -30,8 +27,7 @@ struct ImpactRecord {
 ///   repeat
 ///       approaching := contact points that approach faster than rounding and resting allow
 ///       if there are none: leave the loop
-///       apply simultaneous impulses (laws/simultaneous_impact.h), friction and kicks; where
-///           contacts last and further gaps close in time, impulses of lasting_impact.h instead
+///       apply simultaneous impulses, friction and kicks (impact_group.h)
 ///       add to the cluster what the changed bodies touch
 ///   if kinematic bodies squeeze a ball (squeeze.h): stop them, and start again from the event
 ///   separate balls that overlap (position_correction.h)
@@ -70,16 +66,6 @@ class Response {
 
   private:
     bool run_rounds(std::vector<Contact>& contacts);
-    void find_approaching(bool is_first_round);
-    Real least_approach_of(const ContactPoint<Real>& point, bool is_of_event) const;
-    Real pressing_speed(const ContactPoint<Real>& point) const;
-    void pass_impulses(bool is_alone, std::vector<Contact>& contacts);
-    bool press_group();
-    void prepare_group(bool is_alone);
-    bool follow_curve(const ContactPoint<Real>& point);
-    void note_loss();
-    void record_contact(std::size_t at, std::vector<Contact>& contacts);
-    void stop_all();
     void hold_frozen();
     void start_trajectories(std::vector<std::uint8_t>& touched);
 
@@ -92,18 +78,8 @@ class Response {
     RestingContact<Real>& rest_;
     CollapseGuard<Real>& guard_;
     WorkMeter<Real>& work_;
-    std::vector<std::uint32_t>& scatter_counts_;
-    Restitution<Real> restitution_;
-    LastingImpact<Real> lasting_;
-    ImpactFriction<Real> friction_;
+    ImpactGroup<Real> group_;
     PositionCorrection<Real> correction_;
-    std::vector<std::uint32_t> approaching_;  ///< contact points by index
-    std::vector<ImpactContact<Real>> group_;  ///< those
-    std::vector<Real> approach_;              ///< speed at each of group_, length/s
-    std::pmr::unsynchronized_pool_resource memory_{{.largest_required_pool_block = 1 << 20}};
-    std::pmr::vector<Real> passed_{&memory_};  ///< normal impulse of each
-    Real lost_{};            ///< kinetic energy that the impact's normal impulses have taken so far
-    bool rolls_on_ = false;  ///< the group is one ball that rolls on along a curve
     std::vector<std::uint32_t> changed_;
 };
 
