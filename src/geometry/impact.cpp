@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "geometry/closest.h"
+#include "geometry/conservative_advancement.h"
+#include "geometry/elementary.h"
 
 namespace carom {
 namespace {
@@ -156,6 +158,43 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
         time += now.gap > near ? std::max(now.gap / fastest, least_near) : least_touching;
         if (!(time <= horizon)) return std::nullopt;
     }
+}
+
+Capsule turned(const Capsule& capsule, const Turn& turn, double time) {
+    const auto [sine, cosine] = sin_cos(turn.rate * time);
+    Capsule moved = capsule;
+    for (Vec2* const end : {&moved.start, &moved.end}) {
+        const Vec2 arm = *end - turn.pivot;
+        *end = turn.pivot + arm * cosine + perpendicular(arm) * sine;
+    }
+    return moved;
+}
+
+std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
+                                   const Turn& turn, double horizon) {
+    if (turn.rate == 0.0)
+        return without_rounding(first_impact(disc, velocity, capsule, horizon), velocity);
+    const double reach = disc.radius + capsule.radius;
+    const double rate = std::fabs(turn.rate);
+    const double furthest = distance(disc.center, turn.pivot) + length(velocity) * horizon;
+    const double fastest = length(velocity) + rate * furthest;
+    Vec2 normal;
+    const auto separation_at = [&](double time) -> Separation<double> {
+        const Capsule now = turned(capsule, turn, time);
+        const Vec2 center = disc.center + velocity * time;
+        const Vec2 foot = closest_point(now.start, now.end, center);
+        normal = direction(center - foot, {});
+        const Vec2 surface = perpendicular(foot - turn.pivot) * turn.rate;
+        return {distance(center, foot) - reach, dot(velocity - surface, normal), 0.0};
+    };
+    // The Coriolis and the centrifugal acceleration.
+    const double bound = rate * (2.0 * length(velocity) + rate * furthest);
+    ToiSearch<double> search;
+    const auto time = first_time_of_impact<double>(
+        separation_at, 0.0, horizon, bound,
+        {1e-12 * (reach + fastest * horizon), rounding * fastest}, search);
+    if (!time) return std::nullopt;
+    return Impact{*time, normal};
 }
 
 }  // namespace carom

@@ -52,6 +52,22 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Disc& 
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
                                    double horizon);
 
+/// How an edge turns about a hinge.
+struct Turn {
+    Vec2 pivot;
+    double rate = 0.0;  ///< rad/s, counter-clockwise
+};
+
+/// First impact of a moving disc with a capsule that turns about a hinge at a constant rate,
+/// exactly on its arc. `normal` is the normal at the impact. Conservative advancement by the
+/// acceleration of the disc as seen from the capsule, so no impact is missed that is deeper than
+/// rounding.
+std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
+                                   const Turn& turn, double horizon);
+
+/// The capsule `time` seconds later.
+Capsule turned(const Capsule& capsule, const Turn& turn, double time);
+
 /// First impact of a moving disc with a capsule whose ends have constant velocities. `normal` is
 /// the normal at the impact. Where both ends have the same velocity this is the closed form of the
 /// relative motion. Else: conservative advancement with a minimum step, then bisection to 1e-12 of

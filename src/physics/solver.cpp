@@ -66,12 +66,13 @@ std::span<const SolverKind> solvers_available() {
 }
 
 bool supports(SolverKind kind, const Model& model) {
-    return !model.cloth || row_of(kind).supports_cloth;
+    return (!model.cloth || row_of(kind).supports_cloth) &&
+           (!model.hinged || row_of(kind).supports_hinges);
 }
 
 bool uses_hybrid_step(const Model& model, const SolverSettings& settings) {
     return settings.kind == SolverKind::event && !settings.extended && model.gravity &&
-           model.inelastic && model.ball_ball;
+           model.inelastic && (model.ball_ball || model.hinged);
 }
 
 struct Solver::State {
@@ -165,6 +166,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     if (can_cancel) state.undo.note(world);
     emit(world);
     drive_flippers(world);
+    release_seesaws(world);
     const bool has_movers = state.movers.begin(world);
     const bool has_hands = state.hands.begin(world);
     state.standing.clear();
@@ -181,6 +183,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     }
     name_standing(world, state.method->standing(), state.standing);
     rest_flippers(world);
+    keep_seesaws(world);
     if (!state.standing.empty()) stall_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.edit_tick();

@@ -190,11 +190,13 @@ bool never(const World&) {
 constexpr std::array<SolverRow, 5> rows{{
     {.kind = SolverKind::discrete,
      .supports_cloth = true,
+     .supports_hinges = false,
      .overlaps_at_impacts = true,
      .can_cancel = never,
      .make = [](const SolverSettings&) -> Made { return std::make_unique<OverlapMethod>(1, 1); }},
     {.kind = SolverKind::substep,
      .supports_cloth = true,
+     .supports_hinges = false,
      .overlaps_at_impacts = true,
      .can_cancel = always,
      .make = [](const SolverSettings& settings) -> Made {
@@ -202,6 +204,7 @@ constexpr std::array<SolverRow, 5> rows{{
      }},
     {.kind = SolverKind::swept,
      .supports_cloth = true,
+     .supports_hinges = true,
      .overlaps_at_impacts = false,
      .can_cancel = always,
      .make = [](const SolverSettings& settings) -> Made {
@@ -210,6 +213,7 @@ constexpr std::array<SolverRow, 5> rows{{
     // The constraint solver does a fixed amount of work; its stand-in does not.
     {.kind = SolverKind::contact,
      .supports_cloth = false,
+     .supports_hinges = true,
      .overlaps_at_impacts = false,
      .can_cancel = is_flight_only,
      .make = [](const SolverSettings& settings) -> Made {
@@ -217,6 +221,7 @@ constexpr std::array<SolverRow, 5> rows{{
      }},
     {.kind = SolverKind::event,
      .supports_cloth = true,
+     .supports_hinges = true,
      .overlaps_at_impacts = false,
      .can_cancel = always,
      .make = [](const SolverSettings& settings) -> Made {

@@ -52,9 +52,10 @@ class SolverMethod {
 /// One solver. Rows stand in the order of SolverKind, cheapest solver first.
 struct SolverRow {
     SolverKind kind;
-    /// Whether it moves balls on cloth as Model::cloth says. Every solver supports everything else
-    /// in a model.
+    /// Whether it moves balls on cloth as Model::cloth says, and turns seesaws. Every solver
+    /// supports everything else in a model.
     bool supports_cloth;
+    bool supports_hinges;
     /// Whether it notices an impact by the overlap of the bodies.
     bool overlaps_at_impacts;
     /// Whether a tick of this world can take so long that it asks `keep_going`.

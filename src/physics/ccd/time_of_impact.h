@@ -35,6 +35,10 @@ std::optional<Impact> impact_of_balls(Vec2 offset, Vec2 relative, double radius,
 inline std::optional<Impact> impact_with_moving_edge(const Disc& ball, Vec2 velocity,
                                                      const Capsule& shape, const HeldEdge& edge,
                                                      double horizon) {
+    if (edge.is_seesaw)
+        return first_impact(ball, velocity, shape,
+                            Turn{edge.seesaw.pivot, edge.is_stopped() ? 0.0 : edge.seesaw.rate},
+                            horizon);
     const double share = edge.is_stopped() ? 0.0 : edge.share;
     return first_impact(ball, velocity, shape, edge.start_velocity * share,
                         edge.end_velocity * share, horizon);

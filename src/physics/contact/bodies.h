@@ -110,6 +110,7 @@ struct ContactPair {
     bool is_kinematic : 1 = false;  ///< one of the bodies is
     bool is_new : 1 = true;         ///< did not press yet: no contact has been reported
     bool has_settled : 1 = false;   ///< came to rest at an impact in this substep
+    bool is_hinged : 1 = false;     ///< b is a point of a seesaw, of which `mass` knows
 
     bool is_on_edge() const { return edge != NearPair::no_edge; }
 };

@@ -64,11 +64,25 @@ inline void ContactClassification::measure(const World& world, ContactPair& pair
         pair.normal = offset * (1.0 / away);
     else
         pair.normal = normal_of_coincident(world, bodies_, pair, step_.gravity);
+    if (terms.special() && pair.b > bodies_.fixed) hinge(pair);
+}
+
+// The effective mass with a seesaw, which turns.
+void ContactClassification::hinge(ContactPair& pair) const {
+    const HeldEdge& edge = kinematics_.edge_of(pair);
+    pair.is_hinged = edge.is_seesaw;
+    if (!edge.is_seesaw) return;
+    const Vec2 arm = bodies_.position[pair.a] - edge.seesaw.pivot;
+    const double lever = cross(arm, pair.normal);
+    const double compliance =
+        bodies_.body[pair.a].inverse_mass + lever * lever / edge.seesaw.inertia;
+    pair.mass = compliance > 0.0 ? 1.0 / compliance : 0.0;
 }
 
 // Whether a kinematic body pushes the ball faster than it would bounce off a fixed one.
 bool ContactClassification::is_pushed(const World& world, const ContactPair& pair,
                                       double approach) const {
+    if (pair.is_hinged) return false;
     if (pair.b > bodies_.fixed && kinematics_.edge_of(pair).is_driven) return false;
     const bool by_a = bodies_.is_ball(pair.b) && bodies_.is_kinematic(pair.a);
     const std::uint32_t pusher = by_a ? pair.a : pair.b;
@@ -171,6 +185,7 @@ template <Terms terms>
 void ContactClassification::classify_all(const World& world) {
     constraints_.clear();
     ccd_.clear();
+    hinged_.clear();
     any_high_mass_ratio_ = false;
     deepest_ = 0.0;
     for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
@@ -181,6 +196,11 @@ void ContactClassification::classify_all(const World& world) {
         if (pair.state != ContactState::constraint) {
             pair.impulse = pair.tangential_impulse = 0.0;
             if (pair.state == ContactState::ccd) ccd_.push_back(p);
+            continue;
+        }
+        if (terms.special() && pair.is_hinged) {
+            hinged_.push_back(p);
+            deepest_ = std::min(deepest_, pair.separation);
             continue;
         }
         constraints_.push_back(p);

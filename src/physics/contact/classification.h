@@ -44,6 +44,8 @@ class ContactClassification {
     /// Indices of the pairs, in their order.
     std::span<const std::uint32_t> constraints() const { return constraints_; }
     std::span<const std::uint32_t> ccd() const { return ccd_; }
+    /// Constraints with seesaws (hinges.h), which are not among `constraints`.
+    std::span<const std::uint32_t> hinged() const { return hinged_; }
     bool any_high_mass_ratio() const { return any_high_mass_ratio_; }
     /// Smallest separation of the constraints, 0 at most.
     double deepest() const { return deepest_; }
@@ -58,6 +60,7 @@ class ContactClassification {
     void classify_all(const World& world);
     template <Terms terms>
     void measure(const World& world, ContactPair& pair);
+    void hinge(ContactPair& pair) const;
     template <Terms terms>
     ContactState state_of(const World& world, const ContactPair& pair) const;
     bool is_led_by_curve(const World& world, const ContactPair& pair, double approach) const;
@@ -69,6 +72,7 @@ class ContactClassification {
     const ContactKinematics& kinematics_;
     std::vector<std::uint32_t> constraints_;
     std::vector<std::uint32_t> ccd_;
+    std::vector<std::uint32_t> hinged_;
     std::vector<std::uint8_t> contacts_on_;  // by body, counted up to enclosed_contacts; or empty
     bool any_high_mass_ratio_ = false;
     double deepest_ = 0.0;

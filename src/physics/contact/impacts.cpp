@@ -43,7 +43,9 @@ void ContactImpacts::find_candidates() {
             return -dot(bodies_.displacement[pair.a] - bodies_.displacement[pair.b], pair.normal);
         const HeldEdge& edge = kinematics_.edge_of(pair);
         const double fastest =
-            std::max(length(edge.start_velocity), length(edge.end_velocity)) * edge.share;
+            edge.is_seesaw
+                ? fastest_point(edge.seesaw)
+                : std::max(length(edge.start_velocity), length(edge.end_velocity)) * edge.share;
         return length(bodies_.displacement[pair.a]) + fastest * step_.duration;
     };
     for (const std::uint32_t p : classification_.ccd())
@@ -82,7 +84,8 @@ bool ContactImpacts::find() {
     find_embedded();
     find_displacements();
     find_candidates();
-    return !candidates_.empty() || !escaped_.empty();
+    return !candidates_.empty() || !escaped_.empty() ||
+           first_stop(kinematics_.edges()) < step_.duration;
 }
 
 void ContactImpacts::push_freeze(std::uint32_t body, std::optional<double> time) {
@@ -96,7 +99,7 @@ void ContactImpacts::push_freeze(std::uint32_t body, std::optional<double> time)
 }
 
 void ContactImpacts::run(World& world, std::span<ContactConstraint> constraints,
-                         std::vector<Contact>& contacts) {
+                         ContactHinges& hinges, std::vector<Contact>& contacts) {
     paths_.begin();
     kinematics_.for_each_held_ball([&](std::uint32_t body) { paths_.add(body); });
     queue_.clear();
@@ -109,7 +112,13 @@ void ContactImpacts::run(World& world, std::span<ContactConstraint> constraints,
         paths_.add(body);
         if (!paths_[body].is_surrounded) predict(world, body, 0.0);
     }
-    while (!queue_.is_empty()) {
+    while (true) {
+        const double stop = first_stop(kinematics_.edges());
+        if (stop < step_.duration && (queue_.is_empty() || stop <= queue_.first().time)) {
+            turn_back_at_stops(world, stop);
+            continue;
+        }
+        if (queue_.is_empty()) break;
         const ContactEvent event = queue_.pop();
         if (event.body_version != paths_[event.body].version) continue;
         if (event.kind == ContactEvent::Kind::freeze) {
@@ -121,7 +130,21 @@ void ContactImpacts::run(World& world, std::span<ContactConstraint> constraints,
             collide(world, event, contacts);
         }
     }
+    hinges.give_back(paths_);
     paths_.finish(world, constraints);
+}
+
+void ContactImpacts::turn_back_at_stops(const World& world, double now) {
+    for (HeldEdge& edge : kinematics_.edges()) {
+        if (!edge.is_seesaw || edge.time_of_stop() > now) continue;
+        bounce_at_stops(std::span(&edge, 1), now);
+        predict_at_edge(world, edge.capsule, now);
+    }
+}
+
+void ContactImpacts::predict_at_edge(const World& world, std::uint32_t capsule, double now) {
+    for (const std::uint32_t p : pairs_.kinematic())
+        if (pairs_[p].edge == capsule) predict(world, pairs_[p].a, now);
 }
 
 // Whether the other body has changed its path since the prediction.

@@ -8,6 +8,7 @@
 
 #include "physics/ccd/impact_queue.h"
 #include "physics/contact/classification.h"
+#include "physics/contact/hinges.h"
 #include "physics/contact/kinematics.h"
 #include "physics/contact/paths.h"
 #include "physics/laws/bounce.h"
@@ -50,10 +51,10 @@ class ContactImpacts {
           paths_(step, bodies, pairs) {}
 
     /// Finds the displacement of each ball, and whether anything may collide or leave its skin in
-    /// the substep. If not, positions may simply advance.
+    /// the substep, or a seesaw comes to a stop. If not, positions may simply advance.
     bool find();
     /// Moves the balls along their paths, with all impacts. Pre: `find` found something.
-    void run(World& world, std::span<ContactConstraint> constraints,
+    void run(World& world, std::span<ContactConstraint> constraints, ContactHinges& hinges,
              std::vector<Contact>& contacts);
 
     void begin_tick() { paths_.begin_tick(); }
@@ -87,7 +88,10 @@ class ContactImpacts {
     Contact edge_contact(const ContactPair& pair, Vec2 position, Vec2 normal, Exchange done,
                          double now) const;
     std::optional<Contact> roll_on(const World& world, ContactPair& pair, Vec2 normal, double now);
+    std::optional<Contact> collide_seesaw(World& world, ContactPair& pair, double now);
     void stop_edge(const World& world, const ContactPair& pair, double now);
+    void predict_at_edge(const World& world, std::uint32_t capsule, double now);
+    void turn_back_at_stops(const World& world, double now);
 
     const ContactSubstep& step_;
     ContactBodies& bodies_;

@@ -40,6 +40,10 @@ void ContactKinematics::begin_substep(const World& world, const ContactSubstep& 
         edge.share = 1.0;
         edge.stopped_at = -1.0;
         edge.version = 0;
+        if (edge.is_seesaw) {
+            edge.seesaw = world.seesaws()[*seesaw_of(world, edge.seesaw.capsule)];
+            edge.since = 0.0;
+        }
         aim(edge, world, per_second(balls_.size() + i));
     }
 }
@@ -60,7 +64,7 @@ void ContactKinematics::end_substep(World& world, const ContactSubstep& step) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
         const HeldEdge& edge = edges_[i];
         if (edge.share < 1.0 || edge.is_stopped()) was_held_back_[balls_.size() + i] = 1;
-        SolverAccess(world).capsules().shape[edge.capsule] = shape_at(edge, world, step.duration);
+        finish(edge, world, step.duration);
     }
 }
 
@@ -85,7 +89,7 @@ bool ContactKinematics::hold_back(const ContactPairs& pairs, ContactBodies& bodi
     bool is_any = false;
     for (const std::uint32_t p : pairs.kinematic()) {
         const ContactPair& pair = pairs[p];
-        if (pair.mass == 0.0) continue;
+        if (pair.mass == 0.0 || pair.is_hinged) continue;
         // The CCD contact finds the impact in time, and the driven edge throws the ball.
         if (pair.state == ContactState::ccd && pair.b > bodies.fixed && edge_of(pair).is_driven)
             continue;
@@ -106,7 +110,7 @@ bool ContactKinematics::hold_back(const ContactPairs& pairs, ContactBodies& bodi
         share_of(i) *= shortened_[i];
     for (const std::uint32_t p : pairs.kinematic()) {
         const ContactPair& pair = pairs[p];
-        if (pair.b > bodies.fixed)
+        if (pair.b > bodies.fixed && !pair.is_hinged)
             bodies.body[pair.b].velocity *= shortened_[index_of_pair(pair, bodies)];
     }
     return is_any;
@@ -125,6 +129,7 @@ void ContactKinematics::settle_jams(ContactPairs& pairs, ContactBodies& bodies,
     };
     for (const std::uint32_t p : pairs.kinematic()) {
         const ContactPair& pair = pairs[p];
+        if (pair.is_hinged) continue;
         const std::size_t index = index_of_pair(pair, bodies);
         const bool has_stopped =
             index >= balls_.size() && edges_[index - balls_.size()].is_stopped();
@@ -149,7 +154,8 @@ void ContactKinematics::note_pressing(const ContactPairs& pairs, const ContactBo
                                       const ContactSubstep& step) {
     for (const std::uint32_t p : pairs.kinematic()) {
         const ContactPair& pair = pairs[p];
-        if (pair.state != ContactState::constraint || !(pair.impulse > 0.0)) continue;
+        if (pair.state != ContactState::constraint || !(pair.impulse > 0.0) || pair.is_hinged)
+            continue;
         pressing_.push_back(contact_of(bodies, pair, step.start_time, pair.impulse));
     }
 }
@@ -158,7 +164,7 @@ double ContactKinematics::work(const ContactPairs& pairs, const ContactBodies& b
     double work = 0.0;
     for (const std::uint32_t p : pairs.kinematic()) {
         const ContactPair& pair = pairs[p];
-        if (pair.mass == 0.0 || pair.state != ContactState::constraint) continue;
+        if (pair.mass == 0.0 || pair.state != ContactState::constraint || pair.is_hinged) continue;
         const Vec2 push =
             pair.normal * pair.impulse + perpendicular(pair.normal) * pair.tangential_impulse;
         if (bodies.is_ball(pair.b) && bodies.is_kinematic(pair.a))

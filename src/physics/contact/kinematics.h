@@ -56,6 +56,7 @@ class ContactKinematics {
     const HeldEdge& edge_of(const ContactPair& pair) const {
         return *find_edge(std::span<const HeldEdge>(edges_), pair.edge);
     }
+    std::span<HeldEdge> edges() { return edges_; }
     HeldEdge& edge_of(const ContactPair& pair) {
         return *find_edge(std::span<HeldEdge>(edges_), pair.edge);
     }
@@ -72,7 +73,7 @@ class ContactKinematics {
 
     /// The contact of a new constraint, which `ContactConstraints::report_new` has reported.
     void note_reported(const ContactPair& pair, const Contact& contact) {
-        if (!pair.is_kinematic) return;
+        if (!pair.is_kinematic || pair.is_hinged) return;
         pressing_.push_back(contact);
         pressing_.back().impulse = -contact.impulse;
     }

@@ -51,6 +51,11 @@ class ContactPaths {
     /// repetitions.
     std::span<const std::uint32_t> standing() const { return standing_; }
 
+    /// The share of its constraints' impulses that a ball has felt.
+    double share_felt(std::uint32_t body) const {
+        return has_path(body) ? (*this)[body].given : 1.0;
+    }
+
     /// Begins a substep: only held balls have paths.
     void begin();
     /// Ends it: balls are where their paths lead. `constraints` keep only impulses that their balls

@@ -35,12 +35,15 @@ void ContactImpacts::collide(World& world, const ContactEvent& event,
         return;
     }
     const bool on_ball = bodies_.is_ball(b);
-    const auto contact = on_ball ? collide_balls(world, pair, now) : collide_edge(world, pair, now);
+    const auto contact = on_ball          ? collide_balls(world, pair, now)
+                         : pair.is_hinged ? collide_seesaw(world, pair, now)
+                                          : collide_edge(world, pair, now);
     if (contact) {
         pair.is_new = false;
         contacts.push_back(*contact);
         contacts.back().time += step_.start_time;
     }
+    if (pair.is_hinged) return predict_at_edge(world, pair.edge, now);
     predict(world, a, now);
     if (on_ball) predict(world, b, now);
 }
@@ -200,8 +203,7 @@ std::optional<Contact> ContactImpacts::roll_on(const World& world, ContactPair& 
 // A frozen ball is in the way of a kinematic edge, which stops for the rest of the substep.
 void ContactImpacts::stop_edge(const World& world, const ContactPair& pair, double now) {
     kinematics_.edge_of(pair).stop(now);
-    for (const std::uint32_t p : pairs_.kinematic())
-        if (pairs_[p].edge == pair.edge) predict(world, pairs_[p].a, now);
+    predict_at_edge(world, pair.edge, now);
 }
 
 }  // namespace carom

@@ -79,22 +79,26 @@ void ContactSolver::substep(World& world, double share_of_displacement,
     classification_.count_contacts(is_reloaded_);
     classification_.classify(world);
     constraints_.begin();
+    hinges_.begin();
     constraints_.report_new(contacts, kinematics_);
+    hinges_.report_new(contacts);
     for (int round = 0; round < contact_tolerance::most_holds && !pairs_.kinematic().empty() &&
                         kinematics_.hold_back(pairs_, bodies_, step_);
          ++round)
         constraints_.solve(round % 2 == 0);
     const bool has_impacts = impacts_.find();
     if (has_impacts)
-        impacts_.run(world, constraints_.all(), contacts);
+        impacts_.run(world, constraints_.all(), hinges_, contacts);
     else
         advance_positions(world);
     constraints_.relax(impacts_.most_push(), has_impacts);
+    hinges_.relax();
     if (!kinematics_.is_empty()) {
         kinematics_.note_pressing(pairs_, bodies_, step_);
         kinematics_.settle_jams(pairs_, bodies_, step_);
     }
-    energy_.end_substep(constraints_.all(), impacts_.given() + kinematics_.work(pairs_, bodies_));
+    energy_.end_substep(constraints_.all(),
+                        impacts_.given() + kinematics_.work(pairs_, bodies_) + hinges_.given());
     kinematics_.end_substep(world, step_);
 }
 

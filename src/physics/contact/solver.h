@@ -7,6 +7,7 @@
 #include "physics/contact/classification.h"
 #include "physics/contact/constraints.h"
 #include "physics/contact/energy.h"
+#include "physics/contact/hinges.h"
 #include "physics/contact/impacts.h"
 #include "physics/contact/kinematics.h"
 
@@ -68,6 +69,7 @@ class ContactSolver {
     ContactClassification classification_{step_, bodies_, pairs_, kinematics_};
     ContactEnergy energy_{step_, bodies_, pairs_};
     ContactConstraints constraints_{step_, bodies_, pairs_, classification_, energy_};
+    ContactHinges hinges_{step_, bodies_, pairs_, kinematics_, classification_};
     ContactImpacts impacts_{step_, bodies_, pairs_, kinematics_, classification_};
     bool is_reloaded_ = false;  // the pairs are not those of the last substep
 };

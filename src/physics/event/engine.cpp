@@ -11,7 +11,13 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     begin(world, keep_going);
     if (work_.is_cancelled()) return EventOutcome::cancelled;
     const ImpactRecord record{contacts, touched};
-    while (const std::optional<std::uint32_t> first = schedule_.first()) {
+    while (true) {
+        const std::optional<std::uint32_t> first = schedule_.first();
+        if (comes_to_stop(first)) {
+            if (!turn_back_at_stop()) return EventOutcome::cancelled;
+            continue;
+        }
+        if (!first) break;
         const std::uint32_t ball = *first;
         const BallEvent<Real> event = balls_.plan(ball).next_event();
         if (!(event.time <= scene_.end)) break;
@@ -31,6 +37,26 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     standstill_.end_tick();
     sync_.write(world, !standstill_.is_empty());
     return EventOutcome::done;
+}
+
+// Whether a seesaw comes to its stop in this tick, before the next event of a ball.
+template <typename Real>
+bool EventEngine<Real>::comes_to_stop(std::optional<std::uint32_t> first) const {
+    const Real& stop = kinematic_.next_stop();
+    if (scene_.end < stop) return false;
+    return !first || !(balls_.plan(*first).next_event().time < stop);
+}
+
+// Returns false if the tick is cancelled.
+template <typename Real>
+bool EventEngine<Real>::turn_back_at_stop() {
+    work_.count_event();
+    if (!work_.may_go_on()) return false;
+    if (scene_.now < kinematic_.next_stop()) scene_.now = kinematic_.next_stop();
+    kinematic_.bounce_at_stops();
+    kinematic_.take_stopped();
+    predict_all();
+    return !work_.is_cancelled();
 }
 
 template <typename Real>

@@ -65,6 +65,8 @@ class EventEngine {
     void impact(std::uint32_t ball, const BallEvent<Real>& event, const ImpactRecord& record);
     void predict(std::uint32_t ball);
     void predict_all();
+    bool comes_to_stop(std::optional<std::uint32_t> first) const;
+    bool turn_back_at_stop();
     void charge(std::uint32_t ball, const BallEvent<Real>& event);
 
     EventScene<Real> scene_;

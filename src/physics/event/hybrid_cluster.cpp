@@ -19,6 +19,14 @@ Vec2 displacement(const World& world, Vec2 from, Vec2 to) {
     return world.model().wrap ? nearest_image(to - from, torus_of(world)) : to - from;
 }
 
+// All that the edge of a seesaw can touch, wherever it turns.
+Box reach_of_seesaw(const World& world, CapsuleId id) {
+    const Seesaw& seesaw = world.seesaws()[*seesaw_of(world, id)];
+    const double arm = std::max(distance(seesaw.home.start, seesaw.pivot),
+                                distance(seesaw.home.end, seesaw.pivot));
+    return grow({seesaw.pivot, seesaw.pivot}, arm + seesaw.home.radius);
+}
+
 // Whether the hand moves what it holds up, however slowly.
 bool lifts(const World& world, const Hand& hand) {
     constexpr double least_rise = 0.1;  // sine of the slope
@@ -117,7 +125,9 @@ void HybridCluster::unite_held_capsules(const World& world) {
         if (!index) continue;
         const Capsule& shape = world.capsules().shape[*index];
         const Box box =
-            join(bounds(shape), bounds({held.start_target, held.end_target, shape.radius}));
+            held.is_seesaw
+                ? reach_of_seesaw(world, held.id)
+                : join(bounds(shape), bounds({held.start_target, held.end_target, shape.radius}));
         for (std::uint32_t i = 0; i < balls.size(); ++i)
             if (overlaps(grow({balls.position[i], balls.position[i]}, balls.radius[i] + reach_[i]),
                          box) &&
@@ -139,7 +149,12 @@ void HybridCluster::find_staying(const World& cluster, std::vector<BallId>& stay
     const Vec2 torus = torus_of(cluster);
     stays_.assign(balls.size(), 0);
     for (const PersistentContact& pair : contact_memory(cluster).contacts) {
-        if (pair.kind != ContactKind::ball_ball) continue;
+        if (pair.kind != ContactKind::ball_ball) {
+            // A ball that lies on a seesaw.
+            const auto index = index_of(cluster, pair.ball);
+            if (index && seesaw_of(cluster, CapsuleId{pair.other})) stays_[*index] = 1;
+            continue;
+        }
         for (const BallId id : {pair.ball, BallId{pair.other}})
             if (const auto index = index_of(cluster, id)) stays_[*index] = 1;
     }

@@ -29,6 +29,10 @@ namespace carom {
 /// An impact can take a ball further than its reach. The reach then becomes twice the distance that
 /// the ball went (`widen`), and the cluster is found again.
 ///
+/// *Seesaws.* A ball that has met a seesaw in quick succession is dense too; it stays in the
+/// cluster while something presses it on the seesaw. A seesaw counts as reaching all round its
+/// hinge.
+///
 /// *Return.* After the tick a ball stays in EventMemory::clustered while something presses it on
 /// another ball, and while it overlaps a ball or an edge by more than `most_overlap` of its radius.
 /// All other balls start exact trajectories. A ball that touches the cluster belongs to it again in

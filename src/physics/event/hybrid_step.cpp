@@ -94,6 +94,7 @@ void HybridStep::take_part(const World& world, bool of_cluster, Part& part) cons
     some.edit_definition() = world.definition();
     some.edit_tick() = world.tick();
     some.edit_capsules() = world.capsules();
+    some.edit_seesaws() = world.seesaws();
     copy_rows(world.balls(), part.ball, some.edit_balls());
     some.edit_held_balls().clear();
     for (const HeldBall& held : world.held_balls())
@@ -147,6 +148,8 @@ void HybridStep::write_back(World& world, std::vector<std::uint8_t>& touched) co
         if (!index) continue;
         const World& part = cluster_.has_held_capsule(h) ? dense_.world : free_.world;
         SolverAccess(world).capsules().shape[*index] = part.capsules().shape[*index];
+        if (const auto seesaw = seesaw_of(world, world.held_capsules()[h].id))
+            world.edit_seesaws()[*seesaw] = part.seesaws()[*seesaw];
     }
 }
 

@@ -204,6 +204,12 @@ void WorldSync<Real>::write(World& world, bool has_stopped) {
     access.balls().edge_contacts = scatter_counts_;
     if (world.model().spin) write_spins(world);
     for (const KinematicEdge<Real>& moved : kinematic_.edges()) {
+        if (moved.is_seesaw()) {
+            const Seesaw seesaw = kinematic_.seesaw_at(moved, scene_.end);
+            world.edit_seesaws()[moved.seesaw] = seesaw;
+            access.capsules().shape[moved.capsule] = seesaw_shape(seesaw, seesaw.angle);
+            continue;
+        }
         const Edge<Real> shape = moved.edge.at(scene_.end);
         access.capsules().shape[moved.capsule].start = Vec2(shape.start);
         access.capsules().shape[moved.capsule].end = Vec2(shape.end);

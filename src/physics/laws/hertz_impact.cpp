@@ -100,7 +100,10 @@ bool HertzImpact<Real>::kick(std::span<const ImpactBody<Real>> bodies,
     work_ += contacts.size();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const HertzContact<Real>& each = contacts[i];
-        const auto& [a, b, normal, surface, restitution] = each.contact;
+        const std::uint32_t a = each.contact.a;
+        const std::uint32_t b = each.contact.b;
+        const Vector<Real>& normal = each.contact.normal;
+        const Real& restitution = each.contact.restitution;
         State& state = states_[i];
         state.kick = Real{};
         const Real depth = -each.gap - dot(offset_[a] - offset_[b], normal);

@@ -27,15 +27,16 @@ template <typename Real>
 Real coupling(const ImpactContact<Real>& i, const ImpactContact<Real>& j,
               std::span<const ImpactBody<Real>> bodies) {
     Real sum{};
-    const auto add = [&](std::uint32_t x, std::uint32_t y, bool same_side) {
+    const auto add = [&](std::uint32_t x, std::uint32_t y, bool same_side, const Vector<Real>& ours,
+                         const Vector<Real>& theirs) {
         if (x != y || x == ImpactContact<Real>::fixed) return;
-        const Real part = dot(i.normal, j.normal) * bodies[x].inverse_mass;
+        const Real part = dot(ours, theirs) * bodies[x].inverse_mass;
         sum += same_side ? part : -part;
     };
-    add(i.a, j.a, true);
-    add(i.a, j.b, false);
-    add(i.b, j.a, false);
-    add(i.b, j.b, true);
+    add(i.a, j.a, true, i.normal, j.normal);
+    add(i.a, j.b, false, i.normal, j.normal_of_b());
+    add(i.b, j.a, false, i.normal_of_b(), j.normal);
+    add(i.b, j.b, true, i.normal_of_b(), j.normal_of_b());
     return sum;
 }
 
@@ -171,10 +172,7 @@ std::pmr::vector<Real> relaxed_impulses(const std::pmr::vector<ImpactContact<Rea
             const Real stiffness = coupling<Real>(contact, contact, bodies);
             Real next = impulses[i] + approach_of<Real>(contact, bodies) / stiffness;
             if (next < Real{}) next = Real{};
-            const Vector<Real> push = contact.normal * (next - impulses[i]);
-            bodies[contact.a].velocity += push * bodies[contact.a].inverse_mass;
-            if (contact.b != ImpactContact<Real>::fixed)
-                bodies[contact.b].velocity -= push * bodies[contact.b].inverse_mass;
+            push<Real>(bodies, contact, next - impulses[i]);
             impulses[i] = next;
         }
     Real wanted{};

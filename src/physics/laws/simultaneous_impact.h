@@ -21,6 +21,8 @@
 /// where it is called generalised reflections.
 namespace carom {
 
+/// A ball, or an edge on a hinge (world/seesaw.h), whose velocity is (rate, 0) in rad/s, and whose
+/// inverse mass is that of its moment of inertia.
 template <typename Real>
 struct ImpactBody {
     Vector<Real> velocity;
@@ -35,6 +37,12 @@ struct ImpactContact {
     Vector<Real> normal;      ///< unit, from b to a
     Real surface{};           ///< of the edge: its velocity along the normal, length/s
     Real restitution{1.0};
+    /// b is on a hinge: the normal turns it with this lever arm, cross(point - pivot, normal).
+    bool is_hinged = false;
+    Real lever{};
+
+    /// The direction in which b feels the impulse.
+    Vector<Real> normal_of_b() const { return is_hinged ? Vector<Real>{lever, Real{}} : normal; }
 };
 
 /// Approach speed at the contact, length/s; negative if the bodies separate.
@@ -42,7 +50,7 @@ template <typename Real>
 Real approach_of(const ImpactContact<Real>& contact, std::span<const ImpactBody<Real>> bodies) {
     const Real ours = dot(bodies[contact.a].velocity, contact.normal);
     if (contact.b == ImpactContact<Real>::fixed) return contact.surface - ours;
-    return dot(bodies[contact.b].velocity, contact.normal) - ours;
+    return dot(bodies[contact.b].velocity, contact.normal_of_b()) - ours;
 }
 
 /// One step of the rule: changes the velocities of `bodies`, and returns the impulse of each
@@ -62,16 +70,16 @@ void push(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact
     const Vector<Real> momentum = contact.normal * impulse;
     bodies[contact.a].velocity += momentum * bodies[contact.a].inverse_mass;
     if (contact.b != ImpactContact<Real>::fixed)
-        bodies[contact.b].velocity -= momentum * bodies[contact.b].inverse_mass;
+        bodies[contact.b].velocity -=
+            contact.normal_of_b() * impulse * bodies[contact.b].inverse_mass;
 }
 
 /// `reflect` for a single contact, which approaches: returns its impulse.
 template <typename Real>
 Real reflect_alone(std::span<ImpactBody<Real>> bodies, const ImpactContact<Real>& contact) {
-    const Real square = length_squared(contact.normal);
-    Real yielding = square * bodies[contact.a].inverse_mass;
+    Real yielding = length_squared(contact.normal) * bodies[contact.a].inverse_mass;
     if (contact.b != ImpactContact<Real>::fixed)
-        yielding += square * bodies[contact.b].inverse_mass;
+        yielding += length_squared(contact.normal_of_b()) * bodies[contact.b].inverse_mass;
     const Real impulse =
         (Real(1.0) + contact.restitution) * approach_of<Real>(contact, bodies) / yielding;
     push<Real>(bodies, contact, impulse);

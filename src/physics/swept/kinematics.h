@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -7,9 +8,9 @@
 
 namespace carom {
 
-/// The held and driven edges of the solver `swept` within a substep. Each moves straight towards
-/// its target; one that meets a frozen ball stops for the rest of the substep. Held balls are not
-/// here: SweptPaths has them, with inverse mass 0.
+/// The held and driven edges of the solver `swept`, and those of seesaws, within a substep. Each
+/// moves straight towards its target; one that meets a frozen ball stops for the rest of the
+/// substep. Held balls are not here: SweptPaths has them, with inverse mass 0.
 class SweptKinematics {
   public:
     /// Begins a substep: each edge gets the velocity that covers the rest of its displacement in
@@ -21,6 +22,15 @@ class SweptKinematics {
     }
     /// Moves the edges in the world to where they are `duration` s into the substep.
     void finish(World& world, double duration) const;
+
+    /// The seesaw with this edge is now as `hit`. Predictions of impacts become void. Pre: it is
+    /// one.
+    void turn(std::uint32_t capsule, const Seesaw& hit, double now) {
+        find_edge(std::span<HeldEdge>(edges_), capsule)->turn(hit, now);
+    }
+    /// When the first seesaw comes to its stop, s into the substep; infinite if none does.
+    double first_stop() const { return edges_.empty() ? never : carom::first_stop(edges_); }
+    void bounce_at_stops(double now) { carom::bounce_at_stops(edges_, now); }
 
     bool is_empty() const { return edges_.empty(); }
     std::span<const HeldEdge> edges() const { return edges_; }
@@ -37,6 +47,8 @@ class SweptKinematics {
     }
 
   private:
+    static constexpr double never = std::numeric_limits<double>::infinity();
+
     std::vector<HeldEdge> edges_;
 };
 

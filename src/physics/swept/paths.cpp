@@ -182,7 +182,7 @@ void SweptPaths::mark_standing(std::uint32_t ball) {
     standing_.push_back(ball);
 }
 
-void SweptPaths::rest_on(const World& world, std::uint32_t ball, Vec2 normal) {
+void SweptPaths::rest_on(const World& world, std::uint32_t ball, Vec2 normal, double follow) {
     if (!world.model().gravity || !(dot(normal, step_.gravity) < 0.0)) return;
     SweptPath& path = paths_[ball];
     path.is_grounded = true;
@@ -192,6 +192,7 @@ void SweptPaths::rest_on(const World& world, std::uint32_t ball, Vec2 normal) {
     if (dot(rest.support, normal) < 0.999) rest.other_support = rest.support;
     rest.support = normal;
     rest.gravity = left_by_supports(step_.gravity, rest.support, rest.other_support);
+    if (follow != 0.0) rest.gravity += normal * follow;
     if (world.model().spin) spin_rate_[ball] = 0.0;
 }
 

@@ -111,8 +111,9 @@ class SweptPaths {
     void stand_still(World& world, std::uint32_t ball, double now);
     /// The balls for which time has stood still in this tick, with repetitions.
     std::span<const std::uint32_t> standing() const { return standing_; }
-    /// The ball has come to rest on something immovable; `normal` points from there to the ball.
-    void rest_on(const World& world, std::uint32_t ball, Vec2 normal);
+    /// The ball has come to rest on something immovable; `normal` points from there to the ball. On
+    /// a seesaw, which turns, it follows the surface at the acceleration `follow` along the normal.
+    void rest_on(const World& world, std::uint32_t ball, Vec2 normal, double follow = 0.0);
     /// A bounce has taken the ball off what it rested on.
     void end_rest(std::uint32_t ball) {
         SweptPath& path = paths_[ball];

@@ -151,6 +151,7 @@ SweptOutcome SweptResponse::collide_edge(World& world, const SweptEvent& event) 
         if (edge) kinematics_.stop(event.other, now);
         return {std::nullopt, edge != nullptr};
     }
+    if (edge && edge->is_seesaw) return collide_seesaw(world, event, *edge);
     EdgeImpact impact{.ball = ball, .capsule = event.other, .normal = event.normal, .now = now};
     impact.position = paths_.position_at(ball, now);
     impact.along = event.normal;

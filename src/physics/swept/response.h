@@ -15,8 +15,9 @@ namespace carom {
 /// The outcome of an impact.
 struct SweptOutcome {
     std::optional<Contact> contact;  ///< to report: the bodies approached, and momentum passed
-    /// A kinematic edge stopped at a frozen ball: every prediction must be made again.
-    bool has_stopped_edge = false;
+    /// A kinematic edge stopped at a frozen ball, or a seesaw turns at another rate: every
+    /// prediction must be made again.
+    bool has_changed_edge = false;
 };
 
 /// What an impact does in the solver `swept`: bounce, rest, freezing, and friction.
@@ -80,6 +81,7 @@ class SweptResponse {
     void apply_ball_friction(World& world, BallImpact& impact, const Passed& passed) const;
 
     SweptOutcome collide_edge(World& world, const SweptEvent& event);
+    SweptOutcome collide_seesaw(World& world, const SweptEvent& event, const HeldEdge& edge);
     std::optional<Contact> collide_free_ball(World& world, EdgeImpact& impact);
     Passed bounce_off_edge(World& world, EdgeImpact& impact) const;
     CurveBounce bounce_off_curve(const World& world, const EdgeImpact& impact,

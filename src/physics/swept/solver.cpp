@@ -42,6 +42,14 @@ void SweptSolver::resolve_impacts(World& world, std::vector<Contact>& contacts,
     std::uint64_t work = 0;
     while (token.may_continue(work)) {
         const std::optional<SweptEvent> event = schedule_.take();
+        const double stop = kinematics_.first_stop();
+        if (stop < step_.duration && (!event || stop <= event->time)) {
+            kinematics_.bounce_at_stops(stop);
+            schedule_.clear();
+            prediction_.predict_all(world, stop);
+            work = swept_tolerance::work_of_impact;
+            continue;
+        }
         if (!event) break;
         work = swept_tolerance::work_of_impact;
         prediction_.prefetch(world);
@@ -58,14 +66,14 @@ void SweptSolver::resolve_impacts(World& world, std::vector<Contact>& contacts,
             contacts.push_back(*outcome.contact);
             contacts.back().time += step_.start_time;
         }
-        predict_after(world, *event, outcome.has_stopped_edge);
+        predict_after(world, *event, outcome.has_changed_edge);
         work = charge(world, *event);
     }
 }
 
 void SweptSolver::predict_after(const World& world, const SweptEvent& event,
-                                bool has_stopped_edge) {
-    if (has_stopped_edge) {
+                                bool has_changed_edge) {
+    if (has_changed_edge) {
         schedule_.clear();
         prediction_.predict_all(world, event.time);
         return;

@@ -44,7 +44,7 @@ class SweptSolver {
     void resolve_impacts(World& world, std::vector<Contact>& contacts,
                          std::vector<std::uint8_t>& touched, CancellationToken& token);
     std::uint64_t charge(World& world, const SweptEvent& event);
-    void predict_after(const World& world, const SweptEvent& event, bool has_stopped_edge);
+    void predict_after(const World& world, const SweptEvent& event, bool has_changed_edge);
 
     SweptSubstep step_;
     WorkBudget budget_;

@@ -50,10 +50,14 @@ Hand moved_on(const Hands& hands, Hand hand, double displacement, double rest, d
     return hand;
 }
 
+// Not a solenoid, and no hinge.
+bool is_hand(const HeldCapsule& held) {
+    return !held.is_driven && !held.is_seesaw;
+}
+
 }  // namespace
 
 bool HandStep::begin(World& world) {
-    const auto is_hand = [](const HeldCapsule& held) { return !held.is_driven; };
     if (world.held_balls().empty() && std::ranges::none_of(world.held_capsules(), is_hand)) {
         if (!world.hands().each.empty()) world.edit_hands() = {};
         return false;
@@ -124,7 +128,7 @@ void HandStep::aim(World& world, double share) {
     for (HeldCapsule& held : aimed_edges_) {
         const auto index = index_of(world, held.id);
         const Hand* const hand = find_hand(world.hands(), false, number(held.id));
-        if (!index || !hand || held.is_driven) continue;
+        if (!index || !hand || !is_hand(held)) continue;
         const Capsule& shape = world.capsules().shape[*index];
         const Vec2 start = held.start_target - shape.start;
         const Vec2 end = held.end_target - shape.end;
@@ -156,7 +160,7 @@ double fastest_ball(const World& world) {
 bool has_passed(const World& before, const World& after) {
     for (const HeldCapsule& held : after.held_capsules()) {
         const auto index = index_of(after, held.id);
-        if (!index || held.is_driven) continue;
+        if (!index || !is_hand(held)) continue;
         const Capsule& was = before.capsules().shape[*index];
         const Capsule& is = after.capsules().shape[*index];
         for (std::size_t i = 0; i < after.balls().size(); ++i) {

@@ -12,7 +12,8 @@
 /// with `stopped_at`.
 namespace carom {
 
-/// An edge that a player holds or a solenoid drives, as it moves in one substep.
+/// An edge that a player holds or a solenoid drives, or that of a seesaw, as it moves in one
+/// substep.
 struct HeldEdge {
     std::uint32_t capsule = 0;  ///< index in the world
     std::uint32_t held = 0;     ///< index into World::held_capsules
@@ -23,17 +24,41 @@ struct HeldEdge {
     double stopped_at = -1.0;   ///< s into the substep; negative: it still moves
     std::uint32_t version = 0;  ///< incremented when it stops, so that predictions become void
 
+    bool is_seesaw = false;
+    Seesaw seesaw;  ///< as it is `since` s into the substep; then it turns at its rate
+    double since = 0.0;
+
     bool is_stopped() const { return stopped_at >= 0.0; }
-    /// Stops it `now` seconds into the substep.
+    /// The seesaw `now` s into the substep, if nothing hits it from `since` on.
+    Seesaw seesaw_at(double now) const;
+    /// When it comes to its stop, s into the substep; infinite if it does not.
+    double time_of_stop() const;
+    /// From `now` on it is this seesaw: something has hit it.
+    void turn(const Seesaw& hit, double now) {
+        seesaw = hit;
+        since = now;
+        ++version;
+    }
+    /// Stops it `now` seconds into the substep. A seesaw keeps its rate for the next one.
     void stop(double now) {
         stopped_at = now;
         ++version;
     }
 };
 
-/// All held and driven edges, with velocity 0, in the order of World::held_capsules. An entry whose
-/// capsule no longer exists is left out.
+/// All held and driven edges, with velocity 0, and the edges of seesaws as they are in the world,
+/// in the order of World::held_capsules. An entry whose capsule no longer exists is left out.
 void list_kinematic_edges(const World& world, std::vector<HeldEdge>& edges);
+
+/// When the first seesaw comes to its stop, s into the substep; infinite if none does.
+double first_stop(std::span<const HeldEdge> edges);
+
+/// The seesaws that come to their stops `now` s into the substep bounce, and get new versions.
+void bounce_at_stops(std::span<HeldEdge> edges, double now);
+
+/// Ends a substep of `duration` s for the edge: writes its place, and that of its seesaw, to the
+/// world.
+void finish(const HeldEdge& edge, World& world, double duration);
 
 /// Sets the velocities that would take the edge from its place in the world to its target in
 /// 1 / `per_second` seconds.

@@ -54,6 +54,10 @@ Totals totals(const World& world) {
         if (!world.model().cloth) continue;
         kinetic.add(0.5 * *world.model().spin * mass * length_squared(world.balls().roll[i]));
     }
+    for (const Seesaw& seesaw : world.seesaws()) {
+        kinetic.add(0.5 * seesaw.inertia * seesaw.rate * seesaw.rate);
+        angular.add(seesaw.inertia * seesaw.rate);
+    }
     // + 0.0 turns a negative zero into a positive one, for print.
     return {kinetic.value() + 0.0,
             potential.value() + 0.0,

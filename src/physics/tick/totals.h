@@ -5,7 +5,8 @@
 /// The conserved quantities, and how deep bodies overlap.
 namespace carom {
 
-/// Sums over all balls. Kinetic energy and angular momentum include spin where balls spin.
+/// Sums over all balls, and over seesaws, whose centres of mass never move. Kinetic energy and
+/// angular momentum include spin where balls spin.
 /// Potential energy is that of gravity, 0 at the origin; angular momentum is about the origin.
 /// Units: mass, length and s of the level.
 struct Totals {

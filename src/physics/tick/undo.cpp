@@ -10,8 +10,9 @@ void TickUndo::note(const World& world) {
     held_balls_ = world.held_balls();
     held_capsules_ = world.held_capsules();
     hands_ = world.hands();
-    moves_edges_ =
-        !world.held_capsules().empty() || !world.flippers().empty() || !world.movers().empty();
+    seesaws_ = world.seesaws();
+    moves_edges_ = !world.held_capsules().empty() || !world.flippers().empty() ||
+                   !world.movers().empty() || !world.seesaws().empty();
     if (moves_edges_) shapes_ = world.capsules().shape;
 }
 
@@ -23,6 +24,7 @@ void TickUndo::take_back(World& world) const {
     if (!held_balls_.empty()) world.edit_held_balls() = held_balls_;
     world.edit_held_capsules() = held_capsules_;
     world.edit_hands() = hands_;
+    world.edit_seesaws() = seesaws_;
     if (moves_edges_) world.edit_capsules().shape = shapes_;
 }
 

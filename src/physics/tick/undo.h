@@ -6,10 +6,10 @@
 
 namespace carom {
 
-/// Undoes a tick that was cancelled half way: restores what emitters, flippers, movers, and the
-/// motion of balls, hands and kinematic edges have changed in the world. It does not cover what the
-/// end of a tick changes (stops, sinks, collision counts, solver memory), which a cancelled tick
-/// never reaches.
+/// Undoes a tick that was cancelled half way: restores what emitters, flippers, movers, seesaws,
+/// and the motion of balls, hands and kinematic edges have changed in the world. It does not cover
+/// what the end of a tick changes (stops, sinks, collision counts, solver memory), which a
+/// cancelled tick never reaches.
 ///
 /// There are two other ways to go back. A tick that is repeated because a hand yields is restored
 /// from a copy of the world (hands.h); a player's rewind restores a snapshot
@@ -31,6 +31,7 @@ class TickUndo {
     std::vector<HeldBall> held_balls_;
     std::vector<HeldCapsule> held_capsules_;
     Hands hands_;
+    std::vector<Seesaw> seesaws_;
     bool moves_edges_ = false;
     std::vector<Capsule> shapes_;  // if moves_edges_
 };

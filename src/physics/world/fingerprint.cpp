@@ -46,6 +46,15 @@ void add_movers(Hash& hash, const World& world) {
     }
 }
 
+// Nothing without seesaws: recordings from before them keep their marks.
+void add_seesaws(Hash& hash, const World& world) {
+    for (const Seesaw& seesaw : world.seesaws()) {
+        hash.add(seesaw.capsule);
+        hash.add(seesaw.angle);
+        hash.add(seesaw.rate);
+    }
+}
+
 void add_kinematic_bodies(Hash& hash, const World& world) {
     for (const Flipper& flipper : world.flippers()) {
         hash.add(flipper.capsule);
@@ -68,6 +77,7 @@ void add_kinematic_bodies(Hash& hash, const World& world) {
     }
     add_hands(hash, world.hands());
     add_movers(hash, world);
+    add_seesaws(hash, world);
 }
 
 std::uint64_t fingerprint_2(const World& world) {

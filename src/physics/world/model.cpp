@@ -25,6 +25,7 @@ std::vector<std::string> terms_in_force(const Model& model) {
     if (model.one_way) terms.push_back("one-way");
     if (model.kicks) terms.push_back("kicks");
     if (model.curved) terms.push_back("curves");
+    if (model.hinged) terms.push_back("hinges");
     if (model.filtered) terms.push_back("collide");
     if (!model.ball_ball) terms.push_back("no ball-ball");
     if (!model.ball_edge) terms.push_back("no ball-edge");

@@ -57,6 +57,8 @@ struct Model {
     bool kicks = false;
     /// Some edges are pieces of a curve, with smooth joints: Capsules::joints.
     bool curved = false;
+    /// Some edges turn on hinges as bodies: World::seesaws.
+    bool hinged = false;
     /// Not every pair meets: see World::meets.
     bool filtered = false;
     /// Some pair of balls may meet. False: no ball-ball work at all.

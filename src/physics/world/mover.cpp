@@ -69,4 +69,8 @@ bool is_moved_by_mover(const World& world, CapsuleId id) {
     });
 }
 
+bool moves_by_itself(const World& world, CapsuleId id) {
+    return is_moved_by_mover(world, id) || seesaw_of(world, id);
+}
+
 }  // namespace carom

@@ -64,4 +64,7 @@ Capsule mover_shape(const Mover& mover, const MovedEdge& edge, double clock);
 /// Whether a mover moves this edge, now or when it is started.
 bool is_moved_by_mover(const World& world, CapsuleId id);
 
+/// Whether that, or it is the edge of a seesaw.
+bool moves_by_itself(const World& world, CapsuleId id);
+
 }  // namespace carom

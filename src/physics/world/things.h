@@ -83,6 +83,8 @@ struct HeldCapsule {
     Vec2 end_target;
     /// Motorised, by a flipper or a mover: it throws what it meets, as a moving wall does.
     bool is_driven = false;
+    /// The edge of a seesaw: the solver turns it, the targets mean nothing, and balls push it.
+    bool is_seesaw = false;
 };
 
 /// A hand that holds a ball or an edge: what the next tick must know about it (tick/hands.h).

@@ -34,14 +34,14 @@ void become_one_way(World& world) {
     world.edit_capsules().side.assign(world.capsules().size(), Side::both);
 }
 
+}  // namespace
+
 void become_inelastic(World& world) {
     if (world.model().inelastic) return;
     world.edit_definition().model.inelastic = true;
     // Until now every ball was elastic, whatever its kind says.
     world.edit_balls().restitution.assign(world.balls().size(), 1.0);
 }
-
-}  // namespace
 
 Definition& World::edit_definition() {
     stamps_.definition = new_stamp();
@@ -77,7 +77,7 @@ std::size_t World::bytes() const {
     return sizeof(World) + bytes_in_columns(balls_) + bytes_in_columns(capsules_) +
            bytes_in(definition_.kinds) + bytes_in(definition_.materials) +
            bytes_in(definition_.meets) + bytes_in(definition_.zones) + bytes_in(emitters_) +
-           bytes_in(flippers_) + bytes_in(movers_) + bytes_of_edges(movers_) +
+           bytes_in(flippers_) + bytes_in(movers_) + bytes_of_edges(movers_) + bytes_in(seesaws_) +
            bytes_in(held_balls_) + bytes_in(held_capsules_) + bytes_in(hands_.each) +
            bytes_in(ledger_.counters) + bytes_in(ledger_.removed) + memory_.bytes();
 }
@@ -191,6 +191,8 @@ void remove_capsule(World& world, CapsuleId id) {
                   [id](const Flipper& flipper) { return flipper.capsule == id; });
     for (Mover& mover : world.edit_movers())
         std::erase_if(mover.edges, [id](const MovedEdge& edge) { return edge.capsule == id; });
+    std::erase_if(world.edit_seesaws(),
+                  [id](const Seesaw& seesaw) { return seesaw.capsule == id; });
 }
 
 std::vector<std::uint64_t> census(const World& world) {

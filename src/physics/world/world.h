@@ -11,6 +11,7 @@
 #include "physics/world/ids.h"
 #include "physics/world/model.h"
 #include "physics/world/mover.h"
+#include "physics/world/seesaw.h"
 #include "physics/world/solver_memory.h"
 #include "physics/world/stamp.h"
 #include "physics/world/things.h"
@@ -22,8 +23,8 @@ namespace carom {
 
 /// Reading is free; every change goes through a function named edit_.... Those that are not inline
 /// give what they change a new stamp (stamp.h), on every call. The tick, emitters, flippers,
-/// movers, ledger and ids have no stamp, since no solver prepares anything from them. Solvers,
-/// which write in every tick, have SolverAccess (solver_access.h).
+/// movers, seesaws, ledger and ids have no stamp, since no solver prepares anything from them.
+/// Solvers, which write in every tick, have SolverAccess (solver_access.h).
 ///
 /// Invariants, which edits must keep:
 /// - rows of balls and capsules, and the lists of kinematic bodies, are in ascending order of id;
@@ -52,7 +53,8 @@ class World {
     const std::vector<Emitter>& emitters() const { return emitters_; }
     /// Each turns another capsule; ascending by it.
     const std::vector<Flipper>& flippers() const { return flippers_; }
-    const std::vector<Mover>& movers() const { return movers_; }  ///< each of other edges
+    const std::vector<Mover>& movers() const { return movers_; }     ///< each of other edges
+    const std::vector<Seesaw>& seesaws() const { return seesaws_; }  ///< ascending by edge
     const std::vector<HeldBall>& held_balls() const { return held_balls_; }           ///< by id
     const std::vector<HeldCapsule>& held_capsules() const { return held_capsules_; }  ///< by id
     /// How far the hands that hold those may move in a tick; not of flippers or movers.
@@ -77,6 +79,7 @@ class World {
     std::vector<Emitter>& edit_emitters() { return emitters_; }
     std::vector<Flipper>& edit_flippers() { return flippers_; }
     std::vector<Mover>& edit_movers() { return movers_; }
+    std::vector<Seesaw>& edit_seesaws() { return seesaws_; }
     std::vector<HeldBall>& edit_held_balls();
     std::vector<HeldCapsule>& edit_held_capsules();
     Hands& edit_hands() { return hands_; }
@@ -98,6 +101,7 @@ class World {
     std::vector<Emitter> emitters_;
     std::vector<Flipper> flippers_;
     std::vector<Mover> movers_;
+    std::vector<Seesaw> seesaws_;
     std::vector<HeldBall> held_balls_;
     std::vector<HeldCapsule> held_capsules_;
     Hands hands_;
@@ -111,6 +115,9 @@ class World {
 /// Pre: kind is an index into World::kinds(); radius and mass positive and finite. A restitution
 /// below 1 sets Model::inelastic.
 BallId add_ball(World& world, const BallSpec& spec);
+
+/// Sets Model::inelastic. Balls that are there stay elastic.
+void become_inelastic(World& world);
 
 /// The spec of a ball that is like this one in everything but its id. Pre: index < balls().size().
 BallSpec spec_of(const World& world, std::size_t index);

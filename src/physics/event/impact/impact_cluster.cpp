@@ -38,7 +38,7 @@ void ImpactCluster<Real>::begin(std::uint32_t ball, const BallEvent<Real>& event
 template <typename Real>
 void ImpactCluster<Real>::end() {
     for (const ClusterBody<Real>& each : bodies_)
-        body_of_[each.ball] = BallRecord<Real>::none;
+        if (each.is_ball()) body_of_[each.ball] = BallRecord<Real>::none;
 }
 
 template <typename Real>
@@ -122,6 +122,7 @@ void ImpactCluster<Real>::add_kinematic_edge(std::uint32_t body, const Kinematic
     point.gap = contact.gap;
     point.contact.a = body;
     point.contact.normal = contact.normal;
+    if (edge.is_seesaw()) return add_hinged(point, edge);
     if (!edge.is_stopped) {
         point.surface_velocity =
             edge.edge.start_velocity +
@@ -196,6 +197,7 @@ void ImpactCluster<Real>::find_neighbours(std::uint32_t body) {
 template <typename Real>
 void ImpactCluster<Real>::scan(std::uint32_t body) {
     if (bodies_[body].is_scanned) return;
+    if (!bodies_[body].is_ball()) return scan_seesaw(body);
     const std::uint32_t ball = bodies_[body].ball;
     find_neighbours(body);
     touching_.clear();
@@ -219,7 +221,8 @@ void ImpactCluster<Real>::scan(std::uint32_t body) {
     });
     for (const KinematicEdge<Real>& edge : kinematic_.edges())
         if (scene_.ball_collides_with(ball, edge.capsule) &&
-            !is_of_event(EventKind::kinematic_edge, edge.capsule))
+            !is_of_event(EventKind::kinematic_edge, edge.capsule) &&
+            !(edge.is_seesaw() && knows_seesaw(body, edge.capsule)))
             add_kinematic_edge(body, edge, false);
     bodies_[body].is_scanned = true;
 }
@@ -276,6 +279,7 @@ bool ImpactCluster<Real>::is_gathered(std::uint32_t ball) const {
 
 template <typename Real>
 Real ImpactCluster<Real>::smaller_radius(const ContactPoint<Real>& point) const {
+    if (point.is_stop) return Real{};
     const Real ours = radius_of(point.contact.a);
     return point.kind == EventKind::ball_ball ? std::min(ours, balls_.radius(point.other)) : ours;
 }
@@ -291,7 +295,7 @@ Real ImpactCluster<Real>::compliance(const ContactPoint<Real>& point) const {
 template <typename Real>
 bool ImpactCluster<Real>::touches_ball(std::uint32_t body) const {
     return std::any_of(contacts_.begin(), contacts_.end(), [&](const ContactPoint<Real>& point) {
-        return point.kind == EventKind::ball_ball && !point.is_apart &&
+        return (point.kind == EventKind::ball_ball || point.contact.is_hinged) && !point.is_apart &&
                (point.contact.a == body || point.contact.b == body);
     });
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,10 +15,13 @@
 
 namespace carom {
 
-/// A ball that takes part in an impact.
+/// A ball that takes part in an impact, or a seesaw. A seesaw has no position, and turns at the x
+/// of its velocity, rad/s.
 template <typename Real>
 struct ClusterBody {
+    static constexpr std::uint32_t no_edge = 0xffffffffu;
     std::uint32_t ball = 0;
+    std::uint32_t seesaw = no_edge;  ///< index into KinematicBodies::edges; no_edge: a ball
     Vector<Real> position;
     Real fastest{};     ///< its largest speed in the impact so far, length/s
     Real spin{};        ///< rad/s; only with Model::spin
@@ -31,6 +35,8 @@ struct ClusterBody {
     bool was_resting = false;
     std::uint32_t first_neighbour = 0;  ///< once it is scanned
     std::uint32_t neighbours = 0;
+
+    bool is_ball() const { return seesaw == no_edge; }
 };
 
 /// A ball in the cells around a body's, at the instant of the impact.
@@ -45,7 +51,8 @@ struct Neighbour {
 };
 
 /// Two things that touch in the impact: a body, and a body, an edge or a kinematic edge. Or two
-/// bodies that are apart, but whose gap may close while the impact lasts (`gather`).
+/// bodies that are apart, but whose gap may close while the impact lasts (`gather`). Or a seesaw
+/// and the stop at which it stands.
 template <typename Real>
 struct ContactPoint {
     ImpactContact<Real> contact;
@@ -53,9 +60,11 @@ struct ContactPoint {
     std::uint32_t other = 0;  ///< ball or capsule
     bool is_motorised = false;
     bool is_apart = false;          ///< no contact yet: it counts only for an impact that lasts
+    bool is_stop = false;           ///< of the seesaw that is body a
     SupportId support;              ///< as which it would carry the body
     Real gap{};                     ///< length
     Vector<Real> surface_velocity;  ///< of a kinematic edge, length/s
+    Real side_lever{};              ///< of a seesaw, for friction along perpendicular(normal)
 };
 
 /// The bodies and contact points that take part in an impact. The cluster starts with the two
@@ -103,8 +112,10 @@ class ImpactCluster {
     Real smaller_radius(const ContactPoint<Real>& point) const;
     /// The sum of the inverse masses: 0 if nothing can give way.
     Real compliance(const ContactPoint<Real>& point) const;
-    /// Whether the body touches another ball.
+    /// Whether the body touches another ball, or a seesaw.
     bool touches_ball(std::uint32_t body) const;
+    /// The contact point of a seesaw and its stop; none where it is free to turn.
+    std::optional<std::uint32_t> stop_of(std::uint32_t body) const;
 
     /// Notes the speeds after a round. With `stops`, a speed that is rounding becomes 0.
     void note_speeds(bool stops);
@@ -128,6 +139,10 @@ class ImpactCluster {
     void add_edge(std::uint32_t body, std::uint32_t capsule, int across, int along,
                   bool is_certain);
     void add_kinematic_edge(std::uint32_t body, const KinematicEdge<Real>& edge, bool is_certain);
+    std::uint32_t add_seesaw(const KinematicEdge<Real>& edge);
+    void add_hinged(ContactPoint<Real> point, const KinematicEdge<Real>& edge);
+    void scan_seesaw(std::uint32_t body);
+    bool knows_seesaw(std::uint32_t body, std::uint32_t capsule) const;
     void gather_around(std::uint32_t body, const Real& reach);
     bool is_of_event(std::uint32_t body, const Neighbour<Real>& neighbour) const;
     bool is_gathered(std::uint32_t ball) const;

@@ -39,7 +39,7 @@ void ImpactFriction<Real>::collect(const std::vector<std::uint32_t>& which,
     shares_.assign(cluster_.bodies().size(), 0);
     for (std::size_t i = 0; i < which.size(); ++i) {
         const ContactPoint<Real>& point = cluster_.contacts()[which[i]];
-        if (!(passed[i] > Real{})) continue;
+        if (!(passed[i] > Real{}) || point.is_stop) continue;
         const Real coefficient =
             point.kind == EventKind::kinematic_edge
                 ? Real(friction_of_edge(world, point.other))
@@ -70,7 +70,12 @@ auto ImpactFriction<Real>::slip_of(const Contact& each) const -> Slip {
         slip.along += side * speed;
     };
     add(contact.a, Real(1.0));
-    if (contact.b != ImpactContact<Real>::fixed)
+    if (contact.is_hinged) {
+        const Real& lever = each.point->side_lever;
+        const ImpactBody<Real>& seesaw = cluster_.motion()[contact.b];
+        slip.along -= lever * seesaw.velocity.x;
+        slip.of_seesaw = lever * lever * seesaw.inverse_mass * Real(double(shares_[contact.b]));
+    } else if (contact.b != ImpactContact<Real>::fixed)
         add(contact.b, Real(-1.0));
     else
         slip.along -= dot(each.point->surface_velocity, along);
@@ -84,7 +89,7 @@ bool ImpactFriction<Real>::solve(Contact& each, const Real& inertia) const {
     each.change = Real{};
     if (!(slip.inverse_mass > Real{})) return true;
     const Real rolling = Real(1.0) + Real(1.0) / inertia;
-    const Real wanted = each.impulse - slip.along / (slip.inverse_mass * rolling);
+    const Real wanted = each.impulse - slip.along / (slip.inverse_mass * rolling + slip.of_seesaw);
     each.change = clamped(wanted, each.most) - each.impulse;
     return !(absolute(each.change) > Real(16.0 * precision<Real>) * each.most);
 }
@@ -126,6 +131,11 @@ void ImpactFriction<Real>::pass(const Contact& each, const Real& inertia) {
     };
     cluster_.motion()[contact.a].velocity += push * cluster_.motion()[contact.a].inverse_mass;
     turn(contact.a);
+    if (contact.is_hinged) {
+        ImpactBody<Real>& seesaw = cluster_.motion()[contact.b];
+        seesaw.velocity.x -= each.point->side_lever * each.change * seesaw.inverse_mass;
+        return;
+    }
     if (contact.b == ImpactContact<Real>::fixed) return;
     cluster_.motion()[contact.b].velocity -= push * cluster_.motion()[contact.b].inverse_mass;
     turn(contact.b);

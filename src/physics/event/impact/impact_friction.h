@@ -46,6 +46,7 @@ class ImpactFriction {
         Real along{};
         Real upwards{};
         Real inverse_mass{};
+        Real of_seesaw{};  ///< what a seesaw adds, which does not roll
     };
 
     void collect(const std::vector<std::uint32_t>& which, std::span<const Real> passed);

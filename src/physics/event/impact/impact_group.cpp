@@ -15,7 +15,7 @@ ImpactGroup<Real>::ImpactGroup(const Parts& parts)
       cluster_(parts.cluster),
       work_(parts.work),
       scatter_counts_(parts.scatter_counts),
-      restitution_(parts.scene, parts.balls, parts.cluster),
+      restitution_(parts.scene, parts.balls, parts.kinematic, parts.cluster),
       lasting_(parts.scene, parts.cluster, restitution_),
       friction_(parts.scene, parts.cluster, parts.friction) {}
 
@@ -35,6 +35,7 @@ std::size_t ImpactGroup<Real>::find(bool is_first_round) {
         const Real least = least_approach_of(point, is_first_round && i == 0);
         if (approach_of<Real>(point.contact, cluster_.motion()) > least) approaching_.push_back(i);
     }
+    if (scene_.world->model().hinged) add_stops();
     return approaching_.size();
 }
 
@@ -43,7 +44,11 @@ template <typename Real>
 Real ImpactGroup<Real>::least_approach_of(const ContactPoint<Real>& point, bool is_of_event) const {
     const std::vector<ClusterBody<Real>>& bodies = cluster_.bodies();
     Real speeds = bodies[point.contact.a].fastest + absolute(point.contact.surface);
-    if (point.contact.b != ImpactContact<Real>::fixed) speeds += bodies[point.contact.b].fastest;
+    if (point.contact.is_hinged)
+        speeds += bodies[point.contact.b].fastest * absolute(point.contact.lever);
+    else if (point.contact.b != ImpactContact<Real>::fixed)
+        speeds += bodies[point.contact.b].fastest;
+    if (point.is_stop || point.contact.is_hinged) return Real(residual_rounding<Real>) * speeds;
     Real rounding = Real(residual_rounding<Real>) * speeds;
     if (scene_.field.pressing > Real{})
         rounding += Real(pressed_residual * pressed_rounding) *
@@ -157,7 +162,7 @@ typename ImpactGroup<Real>::Masses ImpactGroup<Real>::hold_resting() {
 
 template <typename Real>
 void ImpactGroup<Real>::pass_impulses(bool is_first_round, std::vector<Contact>& contacts) {
-    const bool is_alone = is_first_round && approaching_.size() == 1;
+    const bool is_alone = is_first_round && count_without_stops() == 1;
     const bool lasts = scene_.world->model().modulus && press();
     if (!lasts) prepare(is_alone);
     std::vector<ImpactBody<Real>>& motion = cluster_.motion();
@@ -193,7 +198,10 @@ void ImpactGroup<Real>::note_changes(bool is_soft, std::vector<Contact>& contact
                 bodies[body].is_changed = true;
                 bodies[body].has_collided = bodies[body].has_collided || !rolls_on_;
             }
-        record_contact(at, contacts);
+        if (point.is_stop)
+            hold_at_stop(at);
+        else
+            record_contact(at, contacts);
     }
 }
 

@@ -24,6 +24,9 @@ namespace carom {
 /// A contact alone may have a normal of its own: that of a curve, or a scattered one. Where
 /// contacts last (`Model::modulus`), the group is the one that lasting_impact.h finds.
 ///
+/// A seesaw that stands at a stop does not give way towards it: the stop takes its part of the
+/// impulses in the same round.
+///
 /// A resting ball does not wake if another one comes to rest on it: for that round it counts as
 /// immovable.
 template <typename Real>
@@ -32,6 +35,7 @@ class ImpactGroup {
     struct Parts {
         const EventScene<Real>& scene;
         BallTable<Real>& balls;
+        const KinematicBodies<Real>& kinematic;
         ImpactCluster<Real>& cluster;
         const SideFriction<Real>& friction;
         WorkMeter<Real>& work;
@@ -61,6 +65,9 @@ class ImpactGroup {
 
     Real least_approach_of(const ContactPoint<Real>& point, bool is_of_event) const;
     Real pressing_speed(const ContactPoint<Real>& point) const;
+    void add_stops();
+    std::size_t count_without_stops() const;
+    void hold_at_stop(std::size_t at);
     void prepare(bool is_alone);
     bool follow_curve(const ContactPoint<Real>& point);
     bool press();

@@ -18,7 +18,7 @@ Response<Real>::Response(const Parts& parts)
       rest_(parts.rest),
       guard_(parts.guard),
       work_(parts.work),
-      group_({parts.scene, parts.balls, parts.cluster, parts.friction, parts.work,
+      group_({parts.scene, parts.balls, parts.kinematic, parts.cluster, parts.friction, parts.work,
               parts.scatter_counts}),
       correction_(parts.scene, parts.balls, parts.space, parts.cluster) {}
 
@@ -77,7 +77,8 @@ bool Response<Real>::run_rounds(std::vector<Contact>& contacts) {
 template <typename Real>
 void Response<Real>::hold_frozen() {
     for (std::size_t i = 0; i < cluster_.bodies().size(); ++i)
-        if (guard_.is_frozen(balls_.trajectory(cluster_.bodies()[i].ball)))
+        if (cluster_.bodies()[i].is_ball() &&
+            guard_.is_frozen(balls_.trajectory(cluster_.bodies()[i].ball)))
             cluster_.motion()[i] = {{}, Real{}};
 }
 
@@ -89,6 +90,11 @@ void Response<Real>::start_trajectories(std::vector<std::uint8_t>& touched) {
     changed_.clear();
     for (std::uint32_t i = 0; i < bodies.size(); ++i) {
         const ClusterBody<Real>& each = bodies[i];
+        if (!each.is_ball()) {
+            if (each.is_changed)
+                kinematic_.turn(each.seesaw, static_cast<double>(cluster_.motion()[i].velocity.x));
+            continue;
+        }
         touched[each.ball] |= each.is_changed;
         if (!each.is_changed) continue;
         const Trajectory<Real> before = balls_.trajectory(each.ball);

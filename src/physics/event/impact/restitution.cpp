@@ -21,6 +21,7 @@ double share_left(Vec2 velocity, Vec2 normal, double surface, double restitution
 template <typename Real>
 double Restitution<Real>::of(const ContactPoint<Real>& point, bool is_alone) const {
     const Real approach = approach_of<Real>(point.contact, cluster_.motion());
+    if (point.is_stop || point.contact.is_hinged) return of_seesaw(point, approach);
     const double usual = point.kind == EventKind::ball_ball ? of_balls(point, is_alone, approach)
                                                             : of_edge(point, is_alone, approach);
     return scene_.world->model().cloth ? on_cloth(point, is_alone, usual) : usual;
@@ -100,6 +101,25 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
     const Real rebound = approach * Real(restitution);
     return rebound * rebound < Real(2.0 * rest_height) * press * balls_.radius(ball) ? 0.0
                                                                                      : restitution;
+}
+
+// A ball that lies on a seesaw hops, until the hybrid step takes it over. A stop that only holds a
+// seesaw against its load has no restitution of its own.
+template <typename Real>
+double Restitution<Real>::of_seesaw(const ContactPoint<Real>& point, const Real& approach) const {
+    if (point.is_stop) {
+        const ClusterBody<Real>& body = cluster_.bodies()[point.contact.a];
+        const KinematicEdge<Real>& edge = kinematic_.edges()[body.seesaw];
+        return approach > Real{} ? kinematic_.seesaw_of(edge).stop_restitution : 1.0;
+    }
+    const World& world = *scene_.world;
+    const double speed = std::max(0.0, static_cast<double>(approach));
+    const double usual = restitution_of_edge(world, point.other, speed);
+    if (!world.model().gravity) return usual;
+    const std::uint32_t ball = cluster_.bodies()[point.contact.a].ball;
+    const Real rebound = approach * Real(usual);
+    const Real pull = length(scene_.field.gravity) * balls_.radius(ball);
+    return rebound * rebound < Real(2.0 * moving_rest_height) * pull ? 1.0 : usual;
 }
 
 template <typename Real>

@@ -19,6 +19,8 @@ namespace carom {
 ///   such a ball and an edge, without gravity                              0
 ///   ball against a held ball                always                        laws/bounce.h
 ///   kinematic edge that approaches          always                        laws/bounce.h
+///   ball on a seesaw, under gravity         moving_rest_height            1: nothing more is lost
+///   seesaw and its stop                     never                         that of the stop
 ///
 /// "Pressed" refers to the relative acceleration along the normal. Heights are shares of the
 /// smaller radius (tolerances.h). Rules with a height apply only if no other contact point of the
@@ -28,8 +30,8 @@ template <typename Real>
 class Restitution {
   public:
     Restitution(const EventScene<Real>& scene, const BallTable<Real>& balls,
-                const ImpactCluster<Real>& cluster)
-        : scene_(scene), balls_(balls), cluster_(cluster) {}
+                const KinematicBodies<Real>& kinematic, const ImpactCluster<Real>& cluster)
+        : scene_(scene), balls_(balls), kinematic_(kinematic), cluster_(cluster) {}
 
     /// `is_alone`: the contact point is the only one of the impact that approaches.
     double of(const ContactPoint<Real>& point, bool is_alone) const;
@@ -39,10 +41,12 @@ class Restitution {
     double off_hand(std::uint32_t free, std::uint32_t held, const Vector<Real>& normal,
                     double restitution) const;
     double of_edge(const ContactPoint<Real>& point, bool is_alone, const Real& approach) const;
+    double of_seesaw(const ContactPoint<Real>& point, const Real& approach) const;
     double on_cloth(const ContactPoint<Real>& point, bool is_alone, double usual) const;
 
     const EventScene<Real>& scene_;
     const BallTable<Real>& balls_;
+    const KinematicBodies<Real>& kinematic_;
     const ImpactCluster<Real>& cluster_;
 };
 

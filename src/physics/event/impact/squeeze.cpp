@@ -12,7 +12,9 @@ template <typename Real>
 bool hold_back(ImpactCluster<Real>& cluster, std::uint32_t body) {
     const auto for_each_bar = [&](auto&& visit) {
         for (const ContactPoint<Real>& point : cluster.contacts())
-            if (point.kind != EventKind::ball_ball && point.contact.a == body) visit(point.contact);
+            if (point.kind != EventKind::ball_ball && point.contact.a == body &&
+                !point.contact.is_hinged)
+                visit(point.contact);
     };
     const auto is_free = [&](const Vector<Real>& velocity) {
         bool is = true;
@@ -45,7 +47,8 @@ template <typename Real>
 bool hold_back(ImpactCluster<Real>& cluster, const BallTable<Real>& balls) {
     bool can_all = true;
     for (std::uint32_t i = 0; i < cluster.bodies().size(); ++i)
-        if (balls[cluster.bodies()[i].ball].line.motion == Motion::held && !hold_back(cluster, i))
+        if (cluster.bodies()[i].is_ball() &&
+            balls[cluster.bodies()[i].ball].line.motion == Motion::held && !hold_back(cluster, i))
             can_all = false;
     return can_all;
 }
@@ -57,10 +60,10 @@ bool pushes_without_end(const ImpactCluster<Real>& cluster, const BallTable<Real
         return balls[ball].line.motion == Motion::held;
     };
     return std::ranges::any_of(cluster.contacts(), [&](const ContactPoint<Real>& point) {
-        if (point.is_apart) return false;
+        if (point.is_apart || point.is_stop) return false;
         const std::uint32_t ball = cluster.bodies()[point.contact.a].ball;
         const bool is_kinematic =
-            point.kind == EventKind::kinematic_edge ||
+            (point.kind == EventKind::kinematic_edge && !point.contact.is_hinged) ||
             (point.kind == EventKind::ball_ball && (is_held(ball) || is_held(point.other)));
         return is_kinematic &&
                (is_jammed || balls[ball].line.recent_collisions > most_recent_collisions);

@@ -1,11 +1,21 @@
 #include "physics/event/motion/edge_impact.h"
 
+#include "geometry/elementary.h"
+
 namespace carom {
 
 template <typename Real>
 Edge<Real> MovingEdge<Real>::at(const Real& when) const {
     const Real since = lesser(when, stop) - time;
     Edge<Real> moved = edge;
+    if (is_hinged) {
+        const SinCos turn = sin_cos(static_cast<double>(rate * since));
+        for (Vector<Real>* const end : {&moved.start, &moved.end}) {
+            const Vector<Real> arm = *end - pivot;
+            *end = pivot + arm * Real(turn.cos) + perpendicular(arm) * Real(turn.sin);
+        }
+        return moved;
+    }
     moved.start += start_velocity * since;
     moved.end += end_velocity * since;
     return moved;
@@ -224,12 +234,50 @@ std::optional<Real> edge_time_of_impact(const Trajectory<Real>& trajectory, cons
     return best;
 }
 
+// The edge of a seesaw, which turns. As seen from it, the ball's acceleration is its own, the
+// Coriolis and the centrifugal one: a - 2 w x v + w x (w x r), with the velocity v as seen from the
+// hinge.
+template <typename Real>
+std::optional<Real> hinged_edge_time_of_impact(const Trajectory<Real>& trajectory,
+                                               const MovingEdge<Real>& edge, const Real& radius,
+                                               const Field<Real>& field, const Real& begin,
+                                               const Real& last, ToiSearch<Real>& search) {
+    const BallState<Real> now = state_at(trajectory, field, begin);
+    const Real ours = most_acceleration(trajectory, field, begin);
+    const Real turning = absolute(edge.rate);
+    const Real fastest = length(now.velocity) + ours * (last - begin);
+    const Real furthest = length(now.position - edge.pivot) + fastest * (last - begin);
+    const Real bound = ours + turning * (Real(2.0) * fastest + turning * furthest);
+    const auto separation_at = [&](const Real& time) -> Separation<Real> {
+        const BallState<Real> state = state_at(trajectory, field, time);
+        const Edge<Real> shape = edge.at(time);
+        const auto contact = contact_with(shape, state.position, radius);
+        const Vector<Real> foot = shape.start + (shape.end - shape.start) * contact.place;
+        const Vector<Real> surface = perpendicular(foot - edge.pivot) * edge.rate;
+        Separation<Real> found{contact.gap, dot(contact.normal, state.velocity - surface), Real{}};
+        const Vector<Real> arm = state.position - edge.pivot;
+        found.normal_acceleration =
+            dot(contact.normal, acceleration_at(trajectory, field, state.velocity) -
+                                    perpendicular(state.velocity) * (Real(2.0) * edge.rate) -
+                                    arm * (edge.rate * edge.rate));
+        return found;
+    };
+    auto limits = tolerance(now.position, radius, length(now.velocity) + turning * furthest, Real{},
+                            radius, field.pressing);
+    // A ball that lies on the edge hops as high as one that lies on a moving ball.
+    limits.rest_height =
+        Real(2.0 * (field.pressing > Real{} ? moving_rest_height : rest_height)) * radius;
+    return first_time_of_impact<Real>(separation_at, begin, last, bound, limits, search);
+}
+
 template <typename Real>
 std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajectory,
                                                const MovingEdge<Real>& edge, const Real& radius,
                                                const Field<Real>& field, const Real& begin,
                                                const Real& end, ToiSearch<Real>& search) {
     const Real last = end_of_search(trajectory, field, end);
+    if (edge.is_hinged)
+        return hinged_edge_time_of_impact(trajectory, edge, radius, field, begin, last, search);
     const bool moves = begin < edge.stop;
     const Vector<Real> from = moves ? edge.start_velocity : Vector<Real>{};
     const Vector<Real> to = moves ? edge.end_velocity : Vector<Real>{};

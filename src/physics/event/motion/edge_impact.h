@@ -24,7 +24,8 @@ struct Edge {
     bool is_point() const { return start == end; }
 };
 
-/// A kinematic edge: each of its ends moves uniformly from `time` until `stop`.
+/// A kinematic edge: each of its ends moves uniformly from `time` until `stop`. The edge of a
+/// seesaw turns about its hinge at a constant rate instead.
 template <typename Real>
 struct MovingEdge {
     Edge<Real> edge;  ///< at `time`
@@ -32,6 +33,9 @@ struct MovingEdge {
     Vector<Real> end_velocity;
     Real time{};
     Real stop{};
+    bool is_hinged = false;  ///< then no velocities
+    Vector<Real> pivot;
+    Real rate{};  ///< rad/s
 
     Edge<Real> at(const Real& when) const;
 };
@@ -70,6 +74,13 @@ std::optional<Real> edge_time_of_impact(const Trajectory<Real>& trajectory, cons
 /// the edge's spine, and s the ball's speed plus that of the faster end, all at `begin`; T = end -
 /// begin. It holds while the edge is at least L / 2 long, so that it turns no faster than w. An
 /// edge that shrinks further in a tick may miss an impact. README.md derives the bound.
+///
+/// For the edge of a seesaw that turns at the rate w, exactly on its arc, it is
+///
+///     A = B + w (2 S + w (P + S T))
+///
+/// with P the distance of the ball's centre from the hinge at `begin`, and s the ball's speed
+/// alone.
 ///
 /// The result depends on `begin` and `end`, and a suspended search resumes from a later `begin`: no
 /// tick with kinematic edges is continued, so the search need not be repeatable from the trajectory

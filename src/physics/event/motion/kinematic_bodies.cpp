@@ -17,6 +17,7 @@ void KinematicBodies<Real>::take() {
         balls_[*index].line.velocity = Vector<Real>(displacement) / duration;
     }
     edges_.clear();
+    if (!world.seesaws().empty() || !seesaws_.empty()) seesaws_ = world.seesaws();
     list_kinematic_edges(world, held_);
     for (const HeldEdge& listed : held_) {
         const HeldCapsule& held = world.held_capsules()[listed.held];
@@ -29,15 +30,70 @@ void KinematicBodies<Real>::take() {
         edge.edge.end_velocity = Vector<Real>(held.end_target - shape.end) / duration;
         edge.edge.time = scene_.now;
         edge.edge.stop = scene_.end;
+        if (held.is_seesaw) {
+            edge.seesaw = *carom::seesaw_of(world, held.id);
+            set_motion(edge, seesaws_[edge.seesaw]);
+        }
         edges_.push_back(edge);
     }
+    find_next_stop();
+}
+
+template <typename Real>
+void KinematicBodies<Real>::set_motion(KinematicEdge<Real>& edge, const Seesaw& seesaw) {
+    seesaws_[edge.seesaw] = seesaw;
+    edge.edge.edge = Edge<Real>(seesaw_shape(seesaw, seesaw.angle), {});
+    edge.edge.is_hinged = true;
+    edge.edge.pivot = Vector<Real>(seesaw.pivot);
+    edge.edge.rate = Real(seesaw.rate);
+    edge.edge.time = scene_.now;
+}
+
+template <typename Real>
+Seesaw KinematicBodies<Real>::seesaw_at(const KinematicEdge<Real>& edge, const Real& when) const {
+    Seesaw seesaw = seesaw_of(edge);
+    turn_on(seesaw, static_cast<double>(when - edge.edge.time));
+    return seesaw;
+}
+
+template <typename Real>
+void KinematicBodies<Real>::turn(std::uint32_t index, double rate) {
+    KinematicEdge<Real>& edge = edges_[index];
+    Seesaw seesaw = seesaw_at(edge, scene_.now);
+    seesaw.rate = rate;
+    set_motion(edge, seesaw);
+    find_next_stop();
+    has_stopped_ = true;
+}
+
+template <typename Real>
+void KinematicBodies<Real>::find_next_stop() {
+    next_stop_ = Real(std::numeric_limits<double>::infinity());
+    for (const KinematicEdge<Real>& edge : edges_) {
+        if (!edge.is_seesaw()) continue;
+        const Real stop = edge.edge.time + Real(time_to_stop(seesaw_of(edge)));
+        if (stop < next_stop_) next_stop_ = stop;
+    }
+}
+
+template <typename Real>
+void KinematicBodies<Real>::bounce_at_stops() {
+    for (KinematicEdge<Real>& edge : edges_) {
+        if (!edge.is_seesaw()) continue;
+        if (scene_.now < edge.edge.time + Real(time_to_stop(seesaw_of(edge)))) continue;
+        Seesaw seesaw = seesaw_of(edge);
+        bounce_at_stop(seesaw);
+        set_motion(edge, seesaw);
+    }
+    find_next_stop();
+    has_stopped_ = true;
 }
 
 template <typename Real>
 bool KinematicBodies<Real>::stop() {
     bool has_moved = false;
     for (KinematicEdge<Real>& edge : edges_) {
-        if (edge.is_stopped) continue;
+        if (edge.is_stopped || edge.is_seesaw()) continue;
         edge.is_stopped = true;
         edge.edge.stop = scene_.now;
         has_moved = true;

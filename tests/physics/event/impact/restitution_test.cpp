@@ -38,7 +38,7 @@ double on_floor(double height, bool is_alone) {
         {.position = {0.0, radius}, .velocity = {0.0, -approach_for(height)}, .radius = radius});
     EventParts parts(world);
     parts.cluster.begin(0, {0.0, EventKind::ball_edge, 0, 0, 0, 0});
-    const Restitution<double> restitution(parts.scene, parts.balls, parts.cluster);
+    const Restitution<double> restitution(parts.scene, parts.balls, parts.kinematic, parts.cluster);
     return restitution.of(parts.cluster.contacts()[0], is_alone);
 }
 
@@ -71,7 +71,8 @@ TEST_CASE(
             EventParts parts(world);
             if (is_carried) parts.rest.settle(0);
             parts.cluster.begin(0, {0.0, EventKind::ball_ball, 0, 0, 1, 0});
-            const Restitution<double> restitution(parts.scene, parts.balls, parts.cluster);
+            const Restitution<double> restitution(parts.scene, parts.balls, parts.kinematic,
+                                                  parts.cluster);
             const double expected = is_carried && factor < 1.0 ? 1.0 : usual;
             CHECK(restitution.of(parts.cluster.contacts()[0], true) == expected);
         }
