@@ -43,7 +43,8 @@ Comparison compare_with_bar(const Scene& scene, const CompareSettings& settings)
 int compare_scene(const CompareOptions& options, const Scene& scene) {
     for (const CompareOptions::Side& side : options.solvers) {
         if (supports(side.kind, scene.world.model())) continue;
-        print_error(fmt::format("solver {} does not know cloth", name(side.kind)));
+        print_error(fmt::format("solver {} does not know {}", name(side.kind),
+                                scene.world.model().hinged ? "seesaws" : "cloth"));
         return 2;
     }
     std::optional<OutputFile> json;

@@ -128,7 +128,8 @@ int measure_scene(const MeasureOptions& options, const Measurable& measurable) {
     const Scene& scene = measurable.scene;
     for (const SolverKind kind : options.solvers) {
         if (supports(kind, scene.world.model())) continue;
-        print_error(fmt::format("solver {} does not know cloth", name(kind)));
+        print_error(fmt::format("solver {} does not know {}", name(kind),
+                                scene.world.model().hinged ? "seesaws" : "cloth"));
         return 2;
     }
     Outputs outputs(options);

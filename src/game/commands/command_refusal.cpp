@@ -36,6 +36,7 @@ Refusal unless_movable(const World& world, CapsuleId id) {
     if (std::ranges::count(world.flippers(), id, &Flipper::capsule))
         return "a flipper moves by its button alone";
     if (is_moved_by_mover(world, id)) return "this edge moves by itself";
+    if (seesaw_of(world, id)) return "balls alone turn a seesaw";
     return std::nullopt;
 }
 
@@ -215,7 +216,8 @@ Refusal refused(const World& world, const SetSolver& set) {
     if (!std::ranges::count(solvers_available(), set.settings.kind))
         return fmt::format("this carom has no solver {}", name(set.settings.kind));
     if (!supports(set.settings.kind, world.model()))
-        return fmt::format("solver {} does not know cloth", name(set.settings.kind));
+        return fmt::format("solver {} does not know {}", name(set.settings.kind),
+                           world.model().cloth ? "cloth" : "seesaws");
     if (!are_in_range(set.settings)) return "updates, steps and substeps must be in 1..1000";
     return std::nullopt;
 }

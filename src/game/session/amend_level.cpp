@@ -55,6 +55,7 @@ class AmendmentWriter {
         changed_balls();
         changed_edges();
         changed_motions();
+        changed_seesaws();
         added_edges();
         added_balls();
         return std::move(text_);
@@ -124,7 +125,7 @@ class AmendmentWriter {
                 text_ += fmt::format("remove {}\n", edge_name(before.id[i]));
                 continue;
             }
-            if (is_moved_by_mover(world_, before.id[i])) continue;
+            if (moves_by_itself(world_, before.id[i])) continue;
             const Capsule& shape = world_.capsules().shape[*now];
             if (!(shape.start == before.shape[i].start) || !(shape.end == before.shape[i].end))
                 text_ += fmt::format("move {} {} {}\n", edge_name(before.id[i]), place(shape.start),
@@ -139,6 +140,17 @@ class AmendmentWriter {
             if (now.clock == before.clock && now.runs == before.runs) continue;
             text_ += fmt::format("move {} time={}{}\n", scene_.mover_names[i],
                                  with_unit(now.clock, "s"), now.runs ? " runs" : " waits");
+        }
+    }
+
+    void changed_seesaws() {
+        for (const Seesaw& now : world_.seesaws()) {
+            const auto index = seesaw_of(scene_.world, now.capsule);
+            if (!index) continue;
+            const Seesaw& before = scene_.world.seesaws()[*index];
+            if (now.angle == before.angle && now.rate == before.rate) continue;
+            text_ += fmt::format("move {} tilt={} turning={}\n", edge_name(now.capsule),
+                                 with_unit(degrees_of(now.angle), "deg"), spin_text(now.rate));
         }
     }
 
@@ -198,7 +210,7 @@ World edited_start(const Scene& scene, const World& world, std::span<const Timed
         const auto now = index_of(world, id);
         if (!now)
             remove_capsule(start, id);
-        else if (!is_moved_by_mover(world, id))
+        else if (!moves_by_itself(world, id))
             start.edit_capsules().shape[*index_of(start, id)] = world.capsules().shape[*now];
     }
     const Capsules& now = world.capsules();
@@ -224,6 +236,10 @@ bool has_same_bodies(const World& a, const World& b) {
         return one.clock == other.clock && one.runs == other.runs;
     };
     if (!std::ranges::equal(a.movers(), b.movers(), is_alike)) return false;
+    const auto turns_alike = [](const Seesaw& one, const Seesaw& other) {
+        return one.angle == other.angle && one.rate == other.rate && one.inertia == other.inertia;
+    };
+    if (!std::ranges::equal(a.seesaws(), b.seesaws(), turns_alike)) return false;
     for (std::size_t i = 0; i < balls.size(); ++i)
         if (!(balls.position[i] == b.balls().position[i]) ||
             !(balls.velocity[i] == b.balls().velocity[i]) ||

@@ -26,7 +26,7 @@ constexpr std::size_t points_a_line = 6;
 // the names of kinds and materials.
 class LevelWriter {
   public:
-    /// `world` has the edges of movers at home, where the level is to write them.
+    /// `world` has the edges of movers and seesaws at home, where the level is to write them.
     LevelWriter(const Scene& scene, const World& world, bool has_overlap)
         : scene_(scene),
           dress_(scene.dress),
@@ -41,6 +41,7 @@ class LevelWriter {
         classes();
         edges();
         motions();
+        seesaws();
         zones();
         balls();
         cue();
@@ -272,6 +273,20 @@ class LevelWriter {
         text_ += mover.runs ? "\n" : " waits\n";
     }
 
+    void seesaws() {
+        for (const Seesaw& seesaw : world_.seesaws()) {
+            text_ += fmt::format("seesaw {} about={} m={}", group_of(seesaw.capsule),
+                                 place(seesaw.pivot), with_unit(mass_of_seesaw(seesaw), "kg"));
+            if (std::isfinite(seesaw.least)) text_ += " from=" + angle(seesaw.least);
+            if (std::isfinite(seesaw.most)) text_ += " to=" + angle(seesaw.most);
+            line(" e={} tilt={} turning={}", seesaw.stop_restitution, angle(seesaw.angle),
+                 has_units_ ? fmt::format("{}rad/s", spin_of(seesaw.rate))
+                            : fmt::format("{}", seesaw.rate));
+        }
+    }
+
+    std::string angle(double radians) const { return with_unit(degrees_of(radians), "deg"); }
+
     // In the order of their counters, which the loader keeps.
     void zones() {
         for (std::size_t i = 0; i < world_.zones().size(); ++i) {
@@ -395,8 +410,12 @@ class LevelWriter {
 
 std::string level_text(const Scene& scene, const World& world) {
     const bool has_overlap = deepest_overlap(world) > 0.0;
-    if (world.movers().empty()) return LevelWriter(scene, world, has_overlap).write();
+    if (world.movers().empty() && world.seesaws().empty())
+        return LevelWriter(scene, world, has_overlap).write();
     World at_home = world;
+    for (const Seesaw& seesaw : world.seesaws())
+        if (const auto index = index_of(world, seesaw.capsule))
+            at_home.edit_capsules().shape[*index] = seesaw.home;
     for (const Mover& mover : world.movers())
         for (const MovedEdge& edge : mover.edges)
             if (const auto index = index_of(world, edge.capsule))

@@ -30,6 +30,11 @@ double mass_of(double inverse_mass) {
     return 1.0 / inverse_mass;
 }
 
+double mass_of_seesaw(const Seesaw& seesaw) {
+    const double of_one = bar_inertia(seesaw.home, seesaw.pivot);
+    return unread(seesaw.inertia / of_one, seesaw.inertia, [&](double x) { return x * of_one; });
+}
+
 double degrees_of(double radians) {
     return unread(radians * 180.0 / pi, radians, [](double x) { return x * pi / 180.0; });
 }

@@ -25,7 +25,7 @@ constexpr std::uint64_t most_tests = 10'000'000;
 bool is_known_to_the_oracle(const World& world) {
     const Model& m = world.model();
     if (m.drag || m.stop_speed || m.speed_limit || m.scatter || m.spin || m.cloth || m.modulus ||
-        m.wrap || m.one_way || m.kicks || m.filtered || !m.ball_ball || !m.ball_edge)
+        m.wrap || m.one_way || m.kicks || m.hinged || m.filtered || !m.ball_ball || !m.ball_edge)
         return false;
     if (!world.emitters().empty() || !world.zones().empty() || !world.flippers().empty() ||
         !world.movers().empty() || !world.held_balls().empty() || !world.held_capsules().empty())

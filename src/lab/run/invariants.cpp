@@ -15,6 +15,13 @@
 namespace carom {
 namespace {
 
+double energy_of_seesaws(const World& world) {
+    double sum = 0.0;
+    for (const Seesaw& seesaw : world.seesaws())
+        sum += 0.5 * seesaw.inertia * seesaw.rate * seesaw.rate;
+    return sum;
+}
+
 double energy_of(const World& world) {
     const Balls& balls = world.balls();
     const Model& model = world.model();
@@ -31,14 +38,14 @@ double energy_of(const World& world) {
         sum += 0.5 * mass * square;
         if (model.gravity && !model.cloth) sum -= mass * dot(*model.gravity, balls.position[i]);
     }
-    return sum;
+    return sum + energy_of_seesaws(world);
 }
 
 double kinetic_energy_of(const World& world) {
     double sum = 0.0;
     for (std::size_t i = 0; i < world.balls().size(); ++i)
         sum += 0.5 * length_squared(world.balls().velocity[i]) / world.balls().inverse_mass[i];
-    return sum;
+    return sum + energy_of_seesaws(world);
 }
 
 // Whether something besides the balls may give energy in a tick.
@@ -56,7 +63,7 @@ bool is_moved(const World& world, CapsuleId id) {
     return std::ranges::find(world.held_capsules(), id, &HeldCapsule::id) !=
                world.held_capsules().end() ||
            std::ranges::find(world.flippers(), id, &Flipper::capsule) != world.flippers().end() ||
-           is_moved_by_mover(world, id);
+           moves_by_itself(world, id);
 }
 
 // Whether the edge blocks all balls of that kind, from both sides.

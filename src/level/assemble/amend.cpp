@@ -15,7 +15,7 @@ class Amending {
     Amended run() {
         is_edge_removed_.assign(capsules_.size(), false);
         for (const AmendmentIr& amendment : context_.ir.amendments)
-            if (!amendment.is_of_motion()) apply(amendment);
+            if (!amendment.is_of_motion() && !amendment.is_of_seesaw()) apply(amendment);
         remove_edges();
         return std::move(result_);
     }

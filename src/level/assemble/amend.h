@@ -12,7 +12,8 @@ namespace carom {
 /// Changes `balls` and the edges of the IR. Removed balls stay in their list, so that the
 /// numbers of the others do not change: `is_removed` says which. Removed edges are taken out of
 /// LevelIr::capsules; their names and numbers in `symbols` stay. Reports bodies that do not
-/// exist, and arguments that do not fit. Those of motions are left to MotionAssembly.
+/// exist, and arguments that do not fit. Those of motions are left to
+/// MotionAssembly, those of seesaws to SeesawAssembly.
 struct Amended {
     std::vector<bool> is_removed;             ///< by ball; empty: none is
     std::vector<std::optional<double>> spin;  ///< by ball; empty: none is changed

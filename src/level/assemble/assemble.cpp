@@ -18,6 +18,7 @@
 #include "level/assemble/pool_assembly.h"
 #include "level/assemble/resolve_names.h"
 #include "level/assemble/rule_assembly.h"
+#include "level/assemble/seesaw_assembly.h"
 #include "level/assemble/symbol_table.h"
 
 // This file is over 320 lines because it holds one idea, the order in which a scene comes about.
@@ -42,8 +43,11 @@ class Assembly {
         symbols.name_balls(balls_);
         MotionAssembly motions(names_, context_);
         motions.check_names();
+        SeesawAssembly seesaws(options_, names_, context_);
+        seesaws.check_names();
         amended_ = amend(balls_, symbols, context_);
         motions.place_edges(rate());
+        seesaws.place_edges();
         if (amended_.is_removed.empty())
             check_start(balls_, names_, context_);
         else
@@ -63,6 +67,7 @@ class Assembly {
         make_world();
         symbols.fill_in(scene_);
         motions.fill_in(scene_);
+        seesaws.fill_in(scene_.world);
         fill_in_pool(balls_, symbols.world_zones(), scene_, context_);
         table.fill_in(scene_, symbols.world_zones());
         fill_in_dress(balls_, names_, symbols.world_zones(), scene_, context_);

@@ -73,7 +73,7 @@ struct CapsuleIr {
     Origin origin;
     int device = -1;  ///< index into LevelIr::devices; -1: none
     Side side = Side::both;
-    bool is_moved = false;  ///< by a motion
+    bool is_moved = false;  ///< by a motion, or on a hinge
 };
 
 struct ChainIr {
@@ -206,6 +206,10 @@ struct AmendmentIr {
     std::optional<double> clock{};  ///< s
     std::optional<bool> runs{};
     bool is_of_motion() const { return clock || runs; }
+    // Of a seesaw; none: unchanged.
+    std::optional<double> tilt{};     ///< degrees
+    std::optional<double> turning{};  ///< rad/s
+    bool is_of_seesaw() const { return tilt || turning; }
 };
 
 /// A motion, and the edges that it moves, by name. The mover has no edges yet.
@@ -216,6 +220,15 @@ struct MotionIr {
     Span every_at;
     Span time_at;
     bool waits = false;  ///< from the start
+};
+
+/// A seesaw, and the edge that turns, by name. It has no edge, home and inertia yet.
+struct SeesawIr {
+    Word name;
+    Seesaw seesaw;
+    double mass = 1.0;  ///< of a bar along the edge
+    Span stops_at;
+    Span tilt_at;
 };
 
 struct CollideIr {
@@ -306,6 +319,7 @@ struct LevelIr {
     std::vector<CollideIr> collides;
     std::vector<AmendmentIr> amendments;
     std::vector<MotionIr> motions;
+    std::vector<SeesawIr> seesaws;
     std::vector<SpinNeed> spin_needs;
     std::optional<Span> needs_cloth;  ///< the first value that needs `use cloth`
     std::vector<ShowIr> shows;

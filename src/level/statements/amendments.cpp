@@ -37,6 +37,8 @@ void build_move(const Arguments& arguments, const Frame&, Context& context) {
     amendment->spin = arguments.number("w");
     amendment->ends = arguments.points;
     amendment->clock = arguments.number("time");
+    amendment->tilt = arguments.number("tilt");
+    amendment->turning = arguments.number("turning");
     if (arguments.flag("runs") || arguments.flag("waits")) amendment->runs = arguments.flag("runs");
     const bool is_of_body = amendment->position || amendment->velocity || amendment->roll ||
                             amendment->spin || !amendment->ends.empty();
@@ -44,6 +46,13 @@ void build_move(const Arguments& arguments, const Frame&, Context& context) {
         context.reporter.error("amends-otherwise", amendment->span,
                                "a motion has a name, and time=, runs or waits",
                                "write such as: move blades time=1.5s");
+        return;
+    }
+    if (amendment->is_of_seesaw() &&
+        (is_of_body || amendment->is_of_motion() || !amendment->name)) {
+        context.reporter.error(
+            "amends-otherwise", amendment->span,
+            "a seesaw has a name, and tilt= and turning=", "write such as: move plank tilt=10deg");
         return;
     }
     context.ir.amendments.push_back(std::move(*amendment));
@@ -65,7 +74,7 @@ std::vector<Statement> amendment_statements() {
     return {
         {.name = "move",
          .usage = "move [NAME] [ball=N] [edge=N] [X,Y [X,Y]] [at=X,Y] [v=VX,VY] [w=] [roll=VX,VY] "
-                  "[time=TIME] [runs] [waits]",
+                  "[time=TIME] [runs] [waits] [tilt=ANGLE] [turning=]",
          .action = build_move,
          .place = Place::top,
          .plain_most = 1,
@@ -76,7 +85,9 @@ std::vector<Statement> amendment_statements() {
                   {"v", pair, Measure::speed},
                   {.name = "w", .measure = Measure::angular_speed, .needs_spin = true},
                   {"roll", pair, Measure::speed},
-                  {"time", scalar, Measure::time, Bound::not_negative}},
+                  {"time", scalar, Measure::time, Bound::not_negative},
+                  {"tilt", scalar, Measure::angle},
+                  {"turning", scalar, Measure::angular_speed}},
          .flags = {"runs", "waits"}},
         {.name = "remove",
          .usage = "remove [NAME] [ball=N] [edge=N]",

@@ -23,6 +23,7 @@ std::vector<Statement> game_statements();        ///< game, on (games.cpp, rules
 std::vector<Statement> dress_statements();       ///< paint, label, insert, theme (dress.cpp)
 std::vector<Statement> amendment_statements();   ///< move, remove (amendments.cpp)
 std::vector<Statement> motion_statements();      ///< motion (motions.cpp)
+std::vector<Statement> seesaw_statements();      ///< seesaw (seesaws.cpp)
 std::vector<Statement> experiment_statements();  ///< show, expect (experiments.cpp)
 
 }  // namespace carom

@@ -68,7 +68,7 @@ Mask walls_of(const Scene& scene, const Grid& grid, double more, bool one_way = 
         if (!one_way && !edges.side.empty() && edges.side[i] != Side::both) continue;
         const auto moves = [&](const Flipper& flipper) { return flipper.capsule == edges.id[i]; };
         if (std::ranges::any_of(scene.world.flippers(), moves) ||
-            is_moved_by_mover(scene.world, edges.id[i]))
+            moves_by_itself(scene.world, edges.id[i]))
             continue;
         mark(walls, grid, edges.shape[i],
              std::max(edges.shape[i].radius, watertight * grid.cell) + more);

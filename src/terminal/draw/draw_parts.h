@@ -71,6 +71,8 @@ enum class Level : std::uint8_t { board, above };
 /// Whether the level has anything above its board.
 bool has_level_above(const View& view);
 void paint_edges(Raster& raster, const View& view, Level level);
+/// The hinges of seesaws, on their edges.
+void paint_hinges(Raster& raster, const View& view);
 void paint_balls(Raster& raster, const View& view, Level level);
 /// The frames and strings of cradles, behind their balls.
 void paint_cradles(Raster& raster, const View& view);

@@ -187,4 +187,14 @@ void paint_edges(Raster& raster, const View& view, Level level) {
     }
 }
 
+void paint_hinges(Raster& raster, const View& view) {
+    const Ink ink = ink_of(Role::strong, view.options.look);
+    for (const Seesaw& seesaw : view.world.seesaws()) {
+        const double radius = 1.2 * seesaw.home.radius * view.camera.columns_per_length;
+        const double least = 1.5 * raster.hairline();
+        raster.disc(to_raster(view.camera, seesaw.pivot), std::max(radius, least), 0.0,
+                    {ink, 255, 'o'});
+    }
+}
+
 }  // namespace carom

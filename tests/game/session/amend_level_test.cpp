@@ -182,6 +182,39 @@ motion slide lift by=0,100 every=2s stops=2
     }
 }
 
+TEST_CASE("a level with a seesaw keeps it, with its tilt and its rate") {
+    const Scene scene = loaded(R"(carom 1 "Seesaw"
+units mm
+use gravity 0,-9.81m/s2
+kind bead r=5 m=3g
+material wood e=0.5
+box wood room -200,-200 200,200 r=2
+edge wood r=2 -190,-150 -150,-150
+edge wood plank r=2 -80,0 80,0
+ball a kind=bead at=-40,60 v=0.1m/s,0
+seesaw plank about=7,3 m=40g from=-17deg to=23deg e=0.3 tilt=5deg turning=11deg/s
+)");
+    for (const int ticks : {0, 20, 100}) {
+        CAPTURE(ticks);
+        Session session = played(scene, ticks);
+        const AmendedLevel amended = amended_level(scene, session.world());
+        REQUIRE(amended.text);
+        CAPTURE(*amended.text);
+        const std::string whole = level_text(scene, session.world());
+        CAPTURE(whole);
+        CHECK((ticks == 0) == (*amended.text == scene.texts.front()));
+        for (const std::string& text : {*amended.text, whole}) {
+            const Scene again = loaded(text);
+            CHECK(has_same_bodies(again.world, session.world()));
+            Seesaw seesaw = again.world.seesaws().at(0);
+            seesaw.capsule = session.world().seesaws().at(0).capsule;
+            CHECK(seesaw == session.world().seesaws().at(0));
+        }
+    }
+    const World start = edited_start(scene, played(scene, 50).world(), {});
+    CHECK(has_same_bodies(start, scene.world));
+}
+
 TEST_CASE("an edited start has motions at their start") {
     const Scene scene = loaded(
         "carom 1 \"Lift\"\nball a at=0,9\nedge name=lift 0,0 5,0\n"
