@@ -160,7 +160,7 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
     }
 }
 
-Capsule turned(const Capsule& capsule, const Turn& turn, double time) {
+Capsule turned(const Capsule& capsule, const HingeTurn& turn, double time) {
     const auto [sine, cosine] = sin_cos(turn.rate * time);
     Capsule moved = capsule;
     for (Vec2* const end : {&moved.start, &moved.end}) {
@@ -171,7 +171,7 @@ Capsule turned(const Capsule& capsule, const Turn& turn, double time) {
 }
 
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
-                                   const Turn& turn, double horizon) {
+                                   const HingeTurn& turn, double horizon) {
     if (turn.rate == 0.0)
         return without_rounding(first_impact(disc, velocity, capsule, horizon), velocity);
     const double reach = disc.radius + capsule.radius;

@@ -53,7 +53,7 @@ std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsul
                                    double horizon);
 
 /// How an edge turns about a hinge.
-struct Turn {
+struct HingeTurn {
     Vec2 pivot;
     double rate = 0.0;  ///< rad/s, counter-clockwise
 };
@@ -63,10 +63,10 @@ struct Turn {
 /// acceleration of the disc as seen from the capsule, so no impact is missed that is deeper than
 /// rounding.
 std::optional<Impact> first_impact(const Disc& disc, Vec2 velocity, const Capsule& capsule,
-                                   const Turn& turn, double horizon);
+                                   const HingeTurn& turn, double horizon);
 
 /// The capsule `time` seconds later.
-Capsule turned(const Capsule& capsule, const Turn& turn, double time);
+Capsule turned(const Capsule& capsule, const HingeTurn& turn, double time);
 
 /// First impact of a moving disc with a capsule whose ends have constant velocities. `normal` is
 /// the normal at the impact. Where both ends have the same velocity this is the closed form of the

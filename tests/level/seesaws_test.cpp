@@ -12,7 +12,7 @@ using namespace carom;
 
 namespace {
 
-Scene loaded(const std::string& text) {
+Scene seesaws_of(const std::string& text) {
     LoadResult result =
         load_level("carom 1 \"Seesaws\"\n" + text + "ball a at=900,900 r=1\n", "s.level");
     for (const Diagnostic& diagnostic : result.diagnostics)
@@ -24,7 +24,7 @@ Scene loaded(const std::string& text) {
 }  // namespace
 
 TEST_CASE("seesaws: a bar on a hinge, tilted from where it is drawn") {
-    const Scene scene = loaded(
+    const Scene scene = seesaws_of(
         "edge name=other 0,0 1,0\n"
         "edge name=plank 10,10 22,10 r=1\n"
         "seesaw plank about=14,10 m=3 from=-20 to=30 e=0.25 tilt=15 turning=2\n");
@@ -48,7 +48,7 @@ TEST_CASE("seesaws: a bar on a hinge, tilted from where it is drawn") {
 }
 
 TEST_CASE("seesaws: units, no stops, and a change of the tilt") {
-    const Scene scene = loaded(
+    const Scene scene = seesaws_of(
         "units cm\n"
         "edge name=bar 0,0 0,100\n"
         "seesaw bar about=0,50 m=600g turning=90deg/s\n"

@@ -49,7 +49,7 @@ double angular_momentum(const World& world) {
     return totals(world).angular_momentum;
 }
 
-void run(World& world, Solver& solver, double seconds) {
+void run_for(World& world, Solver& solver, double seconds) {
     const double end = world.time() + seconds - 0.5 * world.tick_length();
     while (world.time() < end)
         solver.tick(world);
@@ -127,7 +127,7 @@ TEST_CASE("seesaw: an impact passes what a hinged body takes") {
         Solver solver({.kind = kind});
         const double energy = totals(world).energy();
         const double turn = angular_momentum(world);
-        run(world, solver, 1.0);
+        run_for(world, solver, 1.0);
         // It meets the plank at a height of 0.35, after 0.55 s.
         const double lever = 1.5 + 0.4 * 0.55;
         const double impulse = 2.0 * 3.0 / (1.0 + lever * lever / 2.0);
@@ -150,7 +150,7 @@ TEST_CASE("seesaw: elastic impacts keep energy and angular momentum") {
             Solver solver({.kind = kind});
             const double energy = totals(world).energy();
             const double turn = angular_momentum(world);
-            run(world, solver, 4.0);
+            run_for(world, solver, 4.0);
             CHECK(world.ball_edge_collisions() >= 5);
             CHECK(std::fabs(totals(world).energy() - energy) < 1e-12 * energy);
             CHECK(std::fabs(angular_momentum(world) - turn) < 1e-12 * energy);
@@ -186,7 +186,7 @@ TEST_CASE("seesaw: a ball that falls on one arm throws another off the other") {
         // It touches the other arm.
         add_ball(world, {.position = {1.2, 0.35}, .radius = 0.25, .mass = 0.5});
         Solver solver({.kind = kind});
-        run(world, solver, 0.5);
+        run_for(world, solver, 0.5);
         // The impact at the left, then the plank at the right.
         const double left = 2.0 * 4.0 / (1.0 + 1.5 * 1.5 / 1.5);
         const double rate = 1.5 * left / 1.5;
@@ -223,7 +223,7 @@ TEST_CASE("seesaw: a stop carries the load") {
         World world = plank({.inertia = 2.0, .least = 0.0, .most = 0.5});
         add_ball(world, {.position = {1.5, 1.35}, .velocity = {0.0, -1.0}, .radius = 0.25});
         Solver solver({.kind = kind});
-        run(world, solver, 2.0);
+        run_for(world, solver, 2.0);
         // As off a fixed edge.
         CHECK(world.balls().velocity[0].y == 1.0);
         CHECK(seesaw_in(world).rate == 0.0);
@@ -241,16 +241,16 @@ TEST_CASE("seesaw: a ball at rest tips it") {
         add_ball(world, {.position = {1.0, 0.35}, .radius = 0.25, .restitution = 0.5});
         Solver solver({.kind = kind});
         const double energy = totals(world).energy();
-        run(world, solver, 0.3);
+        run_for(world, solver, 0.3);
         const double acceleration = 10.0 / (2.0 + 1.0);
         CHECK(seesaw_in(world).angle == doctest::Approx(-0.5 * acceleration * 0.09).epsilon(0.03));
         CHECK(seesaw_in(world).rate == doctest::Approx(-acceleration * 0.3).epsilon(0.05));
         CHECK(totals(world).energy() <= energy + 1e-9);
         CHECK(depth_in_seesaw(world, 0) < 1e-3);
         // Down to the stop, and off the end.
-        run(world, solver, 0.5);
+        run_for(world, solver, 0.5);
         CHECK(seesaw_in(world).angle < -0.5);
-        run(world, solver, 3.0);
+        run_for(world, solver, 3.0);
         CHECK(world.balls().position[0].y < -3.0);
     }
 }
@@ -265,7 +265,7 @@ TEST_CASE("seesaw: two equal balls at equal distances balance") {
         for (const double side : {-1.0, 1.0})
             add_ball(world, {.position = {side * 1.25, 0.35}, .radius = 0.25, .restitution = 0.5});
         Solver solver({.kind = kind});
-        run(world, solver, 2.0);
+        run_for(world, solver, 2.0);
         // The balance is unstable, and `swept` presses the balls on the plank one after the other.
         const double most = kind == SolverKind::swept ? 3e-3 : 1e-6;
         CHECK(std::fabs(seesaw_in(world).angle) < most);
@@ -312,11 +312,11 @@ TEST_CASE("seesaw: a copy, and a new solver, go on with the same bits") {
         World world = shower(0.8, true, 7);
         pull_down(world);
         Solver solver({.kind = kind});
-        run(world, solver, 0.5);
+        run_for(world, solver, 0.5);
         World copy = world;
-        run(world, solver, 0.5);
+        run_for(world, solver, 0.5);
         Solver other({.kind = kind});
-        run(copy, other, 0.5);
+        run_for(copy, other, 0.5);
         CHECK(fingerprint(copy) == fingerprint(world));
         CHECK(copy.seesaws() == world.seesaws());
         World turned = world;
@@ -330,7 +330,7 @@ TEST_CASE("seesaw: a cancelled tick leaves it as it was") {
         CAPTURE(static_cast<int>(kind));
         World world = shower(1.0, false, 3);
         Solver solver({.kind = kind});
-        run(world, solver, 1.5);
+        run_for(world, solver, 1.5);
         const World before = world;
         if (solver.tick(world, [] { return false; }) != TickOutcome::cancelled) continue;
         CHECK(world.seesaws() == before.seesaws());

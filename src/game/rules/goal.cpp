@@ -48,9 +48,8 @@ std::string goal_text(const RuleBook& book, const RuleHost& host, const GoalStat
             amount(wanted, spent_on(wanted, host, goal.done->shots, goal.done->tick - goal.begun)),
             goal.done->stars, most_stars);
     if (wanted.limits.empty() || wanted.counts_seconds) return wanted.text;
-    const double most = wanted.limits.back();
-    return fmt::format("{} ({} of {:.0f} {})", wanted.text, goal.shots, most,
-                       most == 1.0 ? "shot" : "shots");
+    return fmt::format("{} ({} of {:.0f})", wanted.text, amount(wanted, goal.shots),
+                       wanted.limits.back());
 }
 
 void add_to(Digest& digest, const GoalState& goal) {

@@ -36,9 +36,9 @@ inline std::optional<Impact> impact_with_moving_edge(const Disc& ball, Vec2 velo
                                                      const Capsule& shape, const HeldEdge& edge,
                                                      double horizon) {
     if (edge.is_seesaw)
-        return first_impact(ball, velocity, shape,
-                            Turn{edge.seesaw.pivot, edge.is_stopped() ? 0.0 : edge.seesaw.rate},
-                            horizon);
+        return first_impact(
+            ball, velocity, shape,
+            HingeTurn{edge.seesaw.pivot, edge.is_stopped() ? 0.0 : edge.seesaw.rate}, horizon);
     const double share = edge.is_stopped() ? 0.0 : edge.share;
     return first_impact(ball, velocity, shape, edge.start_velocity * share,
                         edge.end_velocity * share, horizon);

@@ -11,16 +11,17 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     begin(world, keep_going);
     if (work_.is_cancelled()) return EventOutcome::cancelled;
     const ImpactRecord record{contacts, touched};
+    Real limit = end_of_events();
     while (true) {
         const std::optional<std::uint32_t> first = schedule_.first();
-        if (comes_to_stop(first)) {
+        if (!first || !(balls_.plan(*first).next_event().time <= limit)) {
+            if (scene_.end < kinematic_.next_stop()) break;
             if (!turn_back_at_stop()) return EventOutcome::cancelled;
+            limit = end_of_events();
             continue;
         }
-        if (!first) break;
         const std::uint32_t ball = *first;
         const BallEvent<Real> event = balls_.plan(ball).next_event();
-        if (!(event.time <= scene_.end)) break;
         work_.count_event();
         if (!work_.may_go_on()) return EventOutcome::cancelled;
         if (scene_.now < event.time) scene_.now = event.time;
@@ -30,6 +31,7 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
         if (kinematic_.take_stopped()) {
             predict_all();
             if (work_.is_cancelled()) return EventOutcome::cancelled;
+            limit = end_of_events();
         }
         if (work_.is_over_budget()) charge(ball, event);
     }
@@ -39,12 +41,10 @@ EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contact
     return EventOutcome::done;
 }
 
-// Whether a seesaw comes to its stop in this tick, before the next event of a ball.
+// Balls have no more events before then: the end of the tick, or the stop of a seesaw.
 template <typename Real>
-bool EventEngine<Real>::comes_to_stop(std::optional<std::uint32_t> first) const {
-    const Real& stop = kinematic_.next_stop();
-    if (scene_.end < stop) return false;
-    return !first || !(balls_.plan(*first).next_event().time < stop);
+Real EventEngine<Real>::end_of_events() const {
+    return lesser(scene_.end, kinematic_.next_stop());
 }
 
 // Returns false if the tick is cancelled.

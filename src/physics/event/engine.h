@@ -65,7 +65,7 @@ class EventEngine {
     void impact(std::uint32_t ball, const BallEvent<Real>& event, const ImpactRecord& record);
     void predict(std::uint32_t ball);
     void predict_all();
-    bool comes_to_stop(std::optional<std::uint32_t> first) const;
+    Real end_of_events() const;
     bool turn_back_at_stop();
     void charge(std::uint32_t ball, const BallEvent<Real>& event);
 

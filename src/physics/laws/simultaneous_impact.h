@@ -37,12 +37,13 @@ struct ImpactContact {
     Vector<Real> normal;      ///< unit, from b to a
     Real surface{};           ///< of the edge: its velocity along the normal, length/s
     Real restitution{1.0};
-    /// b is on a hinge: the normal turns it with this lever arm, cross(point - pivot, normal).
+    /// b is on a hinge: then `surface` is the lever arm with which the normal turns it,
+    /// cross(point - pivot, normal), length.
     bool is_hinged = false;
-    Real lever{};
 
     /// The direction in which b feels the impulse.
-    Vector<Real> normal_of_b() const { return is_hinged ? Vector<Real>{lever, Real{}} : normal; }
+    Vector<Real> normal_of_b() const { return is_hinged ? Vector<Real>{surface, Real{}} : normal; }
+    const Real& lever() const { return surface; }  ///< Pre: is_hinged
 };
 
 /// Approach speed at the contact, length/s; negative if the bodies separate.

@@ -45,8 +45,7 @@ struct ViewOptions {
     BallStyle ball_style = BallStyle::filled;
     Labels labels = Labels::automatic;
     bool trails = false;
-    bool counters = true;     ///< numbers over bins
-    bool board_texts = true;  ///< the labels of the board, and the names of its lights
+    bool counters = true;  ///< numbers over bins
     OverlaySet overlays;
 
     Look look;

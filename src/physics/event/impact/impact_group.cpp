@@ -43,12 +43,9 @@ std::size_t ImpactGroup<Real>::find(bool is_first_round) {
 template <typename Real>
 Real ImpactGroup<Real>::least_approach_of(const ContactPoint<Real>& point, bool is_of_event) const {
     const std::vector<ClusterBody<Real>>& bodies = cluster_.bodies();
+    if (point.is_stop || point.contact.is_hinged) return least_turn_of(point);
     Real speeds = bodies[point.contact.a].fastest + absolute(point.contact.surface);
-    if (point.contact.is_hinged)
-        speeds += bodies[point.contact.b].fastest * absolute(point.contact.lever);
-    else if (point.contact.b != ImpactContact<Real>::fixed)
-        speeds += bodies[point.contact.b].fastest;
-    if (point.is_stop || point.contact.is_hinged) return Real(residual_rounding<Real>) * speeds;
+    if (point.contact.b != ImpactContact<Real>::fixed) speeds += bodies[point.contact.b].fastest;
     Real rounding = Real(residual_rounding<Real>) * speeds;
     if (scene_.field.pressing > Real{})
         rounding += Real(pressed_residual * pressed_rounding) *

@@ -64,6 +64,7 @@ class ImpactGroup {
     };
 
     Real least_approach_of(const ContactPoint<Real>& point, bool is_of_event) const;
+    Real least_turn_of(const ContactPoint<Real>& point) const;
     Real pressing_speed(const ContactPoint<Real>& point) const;
     void add_stops();
     std::size_t count_without_stops() const;

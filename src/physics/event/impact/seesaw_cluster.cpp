@@ -15,8 +15,8 @@ void ImpactCluster<Real>::add_hinged(ContactPoint<Real> point, const KinematicEd
     const Vector<Real>& normal = point.contact.normal;
     const Vector<Real> arm = bodies_[body].position - normal * radius_of(body) - edge.edge.pivot;
     point.contact.is_hinged = true;
-    point.contact.lever = cross(arm, normal);
-    point.side_lever = cross(arm, perpendicular(normal));
+    point.contact.surface = cross(arm, normal);
+    point.surface_velocity.x = cross(arm, perpendicular(normal));
     const std::size_t at = contacts_.size();
     contacts_.push_back(point);
     contacts_[at].contact.b = add_seesaw(edge);
@@ -81,6 +81,16 @@ void ImpactCluster<Real>::scan_seesaw(std::uint32_t body) {
     }
 }
 
+// The approach of a ball and a seesaw, or of a seesaw and its stop, below which it is rounding.
+template <typename Real>
+Real ImpactGroup<Real>::least_turn_of(const ContactPoint<Real>& point) const {
+    const ImpactContact<Real>& contact = point.contact;
+    Real speeds = cluster_.bodies()[contact.a].fastest;
+    if (contact.is_hinged)
+        speeds += cluster_.bodies()[contact.b].fastest * absolute(contact.lever());
+    return Real(residual_rounding<Real>) * speeds;
+}
+
 template <typename Real>
 void ImpactGroup<Real>::add_stops() {
     const std::size_t count = approaching_.size();
@@ -116,6 +126,7 @@ void ImpactGroup<Real>::hold_at_stop(std::size_t at) {
     template std::optional<std::uint32_t> ImpactCluster<Real>::stop_of(std::uint32_t) const;       \
     template bool ImpactCluster<Real>::knows_seesaw(std::uint32_t, std::uint32_t) const;           \
     template void ImpactCluster<Real>::scan_seesaw(std::uint32_t);                                 \
+    template Real ImpactGroup<Real>::least_turn_of(const ContactPoint<Real>&) const;               \
     template void ImpactGroup<Real>::add_stops();                                                  \
     template std::size_t ImpactGroup<Real>::count_without_stops() const;                           \
     template void ImpactGroup<Real>::hold_at_stop(std::size_t);
