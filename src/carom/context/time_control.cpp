@@ -67,6 +67,20 @@ void tell_end_of_search(PlayContext& play) {
     play.needs_draw = true;
 }
 
+// Whether a picture of the next tick shows the same: at a table with a cue all balls rest, and
+// nothing fades. Clocks show whole seconds.
+bool is_still(const PlayContext& play) {
+    const PlayKind kind = play.controller->kind();
+    if (kind != PlayKind::pool && kind != PlayKind::cue) return false;
+    const World& world = play.session.world();
+    return is_at_rest(world) && world.movers().empty() && play.view.memory.flashes.empty() &&
+           !play.view.options.trails;
+}
+
+std::uint64_t second_of(const PlayContext& play) {
+    return play.session.world().tick() / ticks_in_a_second(play);
+}
+
 }  // namespace
 
 void toggle_pause(PlayContext& play) {
@@ -145,7 +159,11 @@ void advance_time(PlayContext& play, double seconds, const MayGoOn& may_go_on) {
         controller.before_tick(play);
         return keep_up(play, may_go_on) && may_go_on();
     };
-    if (play.clock.advance(play.session, seconds, both_may_go_on) > 0) play.needs_draw = true;
+    const bool was_still = is_still(play);
+    const std::uint64_t second = second_of(play);
+    const bool has_advanced = play.clock.advance(play.session, seconds, both_may_go_on) > 0;
+    const bool looks_the_same = was_still && is_still(play) && second_of(play) == second;
+    if (has_advanced && !looks_the_same) play.needs_draw = true;
     keep_up(play, may_go_on);
     tell_outcome(play);
     controller.after_ticks(play, seconds);

@@ -58,7 +58,8 @@ bool is_flash_on(const Session& session) {
 
 bool has_lamp(DeviceKind kind) {
     return kind == DeviceKind::lamp || kind == DeviceKind::rollover ||
-           kind == DeviceKind::kickback || kind == DeviceKind::hole || kind == DeviceKind::spinner;
+           kind == DeviceKind::kickback || kind == DeviceKind::hole ||
+           kind == DeviceKind::spinner || kind == DeviceKind::magnet || kind == DeviceKind::lock;
 }
 
 bool lights_itself(DeviceKind kind) {
@@ -159,10 +160,12 @@ std::string grouped(std::int64_t number) {
 void PinballDisplay::follow(const Session& session, double seconds) {
     celebrate(session, seconds);
     const Balls& balls = session.world().balls();
-    if (balls.size() == 0) return;
-    const auto lowest = std::ranges::min_element(balls.position, {}, &Vec2::y);
-    const auto index = static_cast<std::size_t>(lowest - balls.position.begin());
-    camera_.follow(lowest->y, balls.velocity[index].y, seconds);
+    std::optional<std::size_t> lowest;
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        if (is_in_play(session.scene(), state_of(session), balls.id[i]) &&
+            (!lowest || balls.position[i].y < balls.position[*lowest].y))
+            lowest = i;
+    if (lowest) camera_.follow(balls.position[*lowest].y, balls.velocity[*lowest].y, seconds);
 }
 
 void PinballDisplay::cut_panel(const Session& session, CellArea& area, const Box& table) {
@@ -199,7 +202,9 @@ void PinballDisplay::celebrate(const Session& session, double seconds) {
     constexpr std::int64_t large = 5000;  // points at once
     constexpr double duration = 1.8;      // s
     const PinballState& state = state_of(session);
-    const std::size_t balls = session.world().balls().size();
+    const auto balls = static_cast<std::size_t>(std::ranges::count_if(
+        session.world().balls().id,
+        [&](BallId ball) { return is_in_play(session.scene(), state, ball); }));
     const bool is_large = state.score - score_ >= large || (balls > balls_ && balls > 1);
     const bool is_new_game = state.score < score_;
     banner_left_ = std::max(0.0, banner_left_ - seconds);

@@ -42,7 +42,8 @@ std::string lower_case(std::string_view text) {
 }
 
 bool matches(const MenuItem& item, const std::string& search) {
-    return lower_case(item.name + " " + item.title).find(lower_case(search)) != std::string::npos;
+    return lower_case(item.name + " " + item.title + " " + item.line).find(lower_case(search)) !=
+           std::string::npos;
 }
 
 std::string time_text(double seconds) {

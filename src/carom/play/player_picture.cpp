@@ -119,7 +119,7 @@ void Player::draw_preview(Canvas& canvas, const CellArea& area, double aspect) {
         shown_box(session().scene(), play_.view.memory.ground.board(session().scene()));
     play_.view.camera = play_.controller->fit(play_, area, aspect);
     ViewOptions options = view();
-    options.counters = false;
+    options.counters = options.board_texts = false;
     draw_world(canvas, camera(), session().scene(), session().world(), session().contacts(),
                annotations_of(play_), options, play_.view.memory);
 }

@@ -271,10 +271,11 @@ std::vector<command::Press> DemoPlayer::play(const Scene& scene, const World& wo
         wants_down_[index(press.button)] = press.is_down;
         return true;
     });
-    const double pull = random_between(0.45, 1.0, world.seed(), RandomStream::player,
-                                       state.games + 1, world.next_ball());
     const bool may_launch = state.launch_at == 0 && is_on_plunger(scene, world);
-    wants_down_[index(Button::plunger)] = may_launch && state.pull < pull;
+    if (!may_launch) plunge_ = {};
+    const auto pull =
+        may_launch ? plunge_.think(sight, scene, world, state, *settings_) : std::nullopt;
+    wants_down_[index(Button::plunger)] = pull && state.pull < *pull;
     for (int button = 0; button < button_count; ++button)
         set(static_cast<Button>(button), wants_down_[static_cast<std::size_t>(button)]);
     return presses;

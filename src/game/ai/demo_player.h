@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "game/ai/pinball_options.h"
+#include "game/ai/pinball_plunge.h"
 #include "game/ai/pinball_sight.h"
 #include "game/ai/pinball_trial.h"
 #include "game/commands/command.h"
@@ -20,6 +21,7 @@
 ///   a ball comes down         it tries to catch it, to let it bounce, and to flip it, each at
 ///                             several moments, and does what leaves the balls in the best places
 ///   a ball would be lost      it tries to nudge it to safety
+///   a ball is to be launched  it tries pulls of the plunger, and takes the one that wins most
 ///
 /// It presses the same buttons as a person, and later or earlier than it wanted, as a person does.
 /// Its play is a function of the world and of its own past, never of a clock, so its games are
@@ -84,6 +86,7 @@ class DemoPlayer {
     std::array<bool, button_count> wants_down_{};
     std::optional<Cradle> cradle_;
     std::optional<Shot> shot_;
+    PinballPlunge plunge_;
     Shots shots_;
     std::uint64_t decides_at_ = 0;
     std::uint64_t acted_at_ = 0;  ///< the last press, or the last tick with no ball near

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "game/pinball/pinball.h"
 #include "game/pinball/pinball_table.h"
 #include "geometry/closest.h"
 
@@ -122,7 +123,7 @@ double PinballSight::safety_of(const World& world, const PinballState& state,
 double PinballSight::safety(const World& world, const PinballState& state) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < world.balls().size(); ++i)
-        sum += safety_of(world, state, i);
+        if (is_in_play(*scene_, state, world.balls().id[i])) sum += safety_of(world, state, i);
     return sum;
 }
 

@@ -23,10 +23,11 @@ double value_of(double points) {
 enum class Prospect : std::uint8_t { near, away, lost };
 
 // `away`: no ball is near the flippers. `lost`: all balls are.
-Prospect prospect_of(const PinballSight& sight, const PinballTrial& trial) {
+Prospect prospect_of(const PinballSight& sight, const Scene& scene, const PinballTrial& trial) {
     bool is_any_near = false;
     bool all_lost = true;
     for (std::size_t i = 0; i < trial.world.balls().size(); ++i) {
+        if (!is_in_play(scene, trial.state, trial.world.balls().id[i])) continue;
         const bool is_lost = sight.is_lost(trial.world, i);
         all_lost = all_lost && is_lost;
         is_any_near = is_any_near || (!is_lost && sight.is_near(trial.world, i));
@@ -83,7 +84,7 @@ Foreseen play_ahead(const PinballSight& sight, const Scene& scene, Solver& solve
     auto next = presses.begin();
     bool was_away = false;
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
-        const Prospect prospect = prospect_of(sight, trial);
+        const Prospect prospect = prospect_of(sight, scene, trial);
         if (prospect == Prospect::lost || (was_away && prospect == Prospect::near)) break;
         was_away = was_away || prospect == Prospect::away;
         if (was_away && ends_when_away) break;

@@ -17,14 +17,12 @@ namespace {
 
 using Phase = PinballState::Phase;
 
-constexpr double full_pull = 1.0;     // s until the plunger is pulled all the way
-constexpr double launch_pause = 0.6;  // s from the serve of a ball to its automatic launch
+constexpr double full_pull = 1.0;  // s until the plunger is pulled all the way
 // The range of automatic launches, as shares of the plunger's travel.
 constexpr double least_own_pull = 0.5;
 constexpr double most_own_pull = 0.9;
 
 constexpr double settling_time = 4.0;
-constexpr double counting_time = 2.5;  // s that the bonus is shown
 
 constexpr double nudge_time = 0.1;    // s
 constexpr double nudge_speed = 20.0;  // radii a second that a nudge gives to a ball
@@ -116,126 +114,6 @@ void update_plunger(Pinball game) {
     note_launch(game);
 }
 
-// Serves a ball at the start of the level's first ball, as soon as there is room.
-void serve(Pinball game) {
-    PinballState& state = game.state;
-    const Balls& balls = game.scene.world.balls();
-    if (state.to_serve == 0 || state.launch_at != 0 || balls.size() == 0) return;
-    for (std::size_t i = 0; i < game.world.balls().size(); ++i) {
-        const double reach = game.world.balls().radius[i] + balls.radius[0];
-        if (distance(game.world.balls().position[i], balls.position[0]) < 1.5 * reach) return;
-    }
-    add_ball(game.world, spec_of(game.scene.world, 0));
-    --state.to_serve;
-    if (state.serves_itself) state.launch_at = game.now() + game.ticks(launch_pause);
-}
-
-void begin_ball(Pinball game) {
-    PinballState& state = game.state;
-    state.phase = Phase::playing;
-    state.bonus = 0;
-    state.multiplier = 1;
-    state.is_launched = false;
-    state.launch_at = 0;
-    state.save_until = 0;
-    state.is_tilted = false;
-    state.warnings = 0;
-    state.tilt_meter = 0.0;
-    begin_scope(game.scene.rules, state.rules, RuleScope::turn);
-    state.rules.turn_is_new = true;
-    for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
-        if (game.table().devices[i].kind == DeviceKind::kickback) set_lit(game, i, true);
-}
-
-void serve_next(Pinball game) {
-    begin_ball(game);
-    game.state.to_serve = 1;
-    game.state.serves_itself = false;
-}
-
-void begin_game_again(Pinball game) {
-    PinballState& state = game.state;
-    ++state.games;
-    state.goal = {.shots = 0, .begun = game.now(), .done = {}};
-    state.score = 0;
-    state.ball = 1;
-    state.extra_balls = 0;
-    state.rules = begin_rules(game.scene.rules);
-    begin_players(state);
-    for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
-        set_lit(game, i, false);
-    for (std::uint32_t i = 0; i < game.table().devices.size(); ++i)
-        if (game.table().devices[i].kind == DeviceKind::droptarget) state.is_rising[i] = 1;
-    state.message.clear();
-    serve_next(game);
-}
-
-void end_game(Pinball game) {
-    PinballState& state = game.state;
-    state.phase = Phase::over;
-    if (!state.parked.empty()) {
-        const std::vector<std::int64_t> scores = scores_of(state);
-        const auto winner = std::ranges::max_element(scores) - scores.begin();
-        state.parked[state.rules.player].score = state.score;
-        state.rules.player = static_cast<std::uint32_t>(winner);
-        state.score = scores[static_cast<std::size_t>(winner)];
-        return game.say(fmt::format("GAME OVER  PLAYER {} WINS", winner + 1), 3600.0);
-    }
-    const auto drawn = random_bits(game.world.seed(), RandomStream::player, state.games, 0) % 10;
-    const bool matches = static_cast<std::uint64_t>(state.score / 10 % 10) == drawn;
-    game.say(fmt::format("GAME OVER  MATCH {}0{}", drawn, matches ? "  A FREE GAME" : ""), 3600.0);
-}
-
-void end_ball(Pinball game) {
-    PinballState& state = game.state;
-    const std::int64_t counted = state.bonus * state.multiplier * game.table().bonus;
-    if (counted > 0 && !state.is_tilted) {
-        state.score += counted;
-        game.say(
-            fmt::format("BONUS {} x {} x {}", state.bonus, game.table().bonus, state.multiplier),
-            counting_time);
-    }
-    state.phase = Phase::counting;
-    std::ranges::fill(state.rules.timer_ends, 0);
-    state.phase_until = game.now() + game.ticks(counting_time);
-}
-
-void go_on_after_count(Pinball game) {
-    PinballState& state = game.state;
-    if (state.phase != Phase::counting || game.now() < state.phase_until) return;
-    if (state.extra_balls > 0) {
-        --state.extra_balls;
-        game.say("SHOOT AGAIN", 2.0);
-        serve_next(game);
-    } else if (pass_to_next_player(game)) {
-        serve_next(game);
-    } else {
-        end_game(game);
-    }
-}
-
-void count_drained(Pinball game) {
-    PinballState& state = game.state;
-    const std::uint64_t gone = game.world.removed().size() - state.removals_seen;
-    for (std::uint64_t i = state.removals_seen; i < game.world.removed().size(); ++i) {
-        const std::int32_t zone = game.world.removed()[static_cast<std::size_t>(i)].zone;
-        for (std::uint32_t d = 0; d < game.table().devices.size() && zone >= 0; ++d)
-            if (game.table().devices[d].zone == static_cast<std::uint32_t>(zone))
-                apply_rules(game, d, RuleEvent::enter);
-    }
-    state.removals_seen = game.world.removed().size();
-    state.drained += gone;
-    for (std::uint64_t i = 0; i < gone; ++i)
-        apply_rules(game, RuleEvent::drain);
-    if (!game.table().is_game || state.phase != Phase::playing) return;
-    if (gone > 0 && game.now() <= state.save_until) {
-        state.to_serve += static_cast<std::uint32_t>(gone);
-        state.serves_itself = true;
-        game.say("BALL SAVED", 2.0);
-    }
-    if (game.world.balls().size() == 0 && state.to_serve == 0) end_ball(game);
-}
-
 }  // namespace
 
 PinballState begin_pinball(const Scene& scene) {
@@ -262,6 +140,7 @@ void update_pinball(const Scene& scene, World& world, PinballState& state,
     hit_devices(game, contacts);
     expire_lights(game);
     visit_zones(game);
+    update_locks(game);
     cross_ramps(game);
     update_holes(game);
     update_spinners(game);
@@ -269,6 +148,7 @@ void update_pinball(const Scene& scene, World& world, PinballState& state,
     count_drained(game);
     go_on_after_count(game);
     raise_targets(game);
+    update_openings(game);
     push_table(game);
     update_plunger(game);
     if (scene.table.is_game) {

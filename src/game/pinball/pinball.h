@@ -45,6 +45,11 @@ bool may_join(const Scene& scene, const PinballState& state);
 /// The scores of all players.
 std::vector<std::int64_t> scores_of(const PinballState& state);
 
+/// Whether the ball is shut in, so that it never drains.
+bool is_captive(const Scene& scene, BallId ball);
+/// Whether the ball can drain: it is neither captive nor locked.
+bool is_in_play(const Scene& scene, const PinballState& state, BallId ball);
+
 /// Whether a ball lies on a plunger.
 bool is_on_plunger(const Scene& scene, const World& world);
 

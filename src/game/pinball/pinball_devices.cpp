@@ -51,8 +51,12 @@ void kick_back(Pinball game, std::uint32_t device, std::size_t ball) {
     set_lit(game, device, false);
 }
 
-bool is_on_the_table(const World& world, std::size_t ball) {
-    return world.kinds()[world.balls().kind[ball]].layer == 0;
+// A ball hits a captive one, or one captive ball another.
+void hit_captives(Pinball game, const Contact& contact) {
+    if (contact.approach < softest_hit * game.radius()) return;
+    for (const CaptiveBall& captive : game.table().captives)
+        if (number(captive.ball) == contact.a || number(captive.ball) == contact.b)
+            apply_rules(game, captive.device, RuleEvent::hit);
 }
 
 }  // namespace
@@ -61,6 +65,7 @@ void hit_devices(Pinball game, std::span<const Contact> contacts) {
     const PinballTable& table = game.table();
     const double softest = softest_hit * game.radius();
     for (const Contact& contact : contacts) {
+        if (contact.kind == ContactKind::ball_ball) hit_captives(game, contact);
         if (contact.kind != ContactKind::ball_edge || contact.b >= table.device_of_capsule.size())
             continue;
         const std::int32_t number = table.device_of_capsule[contact.b];
@@ -91,7 +96,8 @@ void visit_zones(Pinball game) {
             continue;
         const Capsule& shape = game.world.zones()[*place.zone].shape;
         for (std::size_t i = 0; i < game.world.balls().size(); ++i)
-            if (is_on_the_table(game.world, i) && is_inside(shape, game.world.balls().position[i]))
+            if (game.world.kinds()[game.world.balls().kind[i]].layer == place.from &&
+                is_inside(shape, game.world.balls().position[i]))
                 visits.push_back({device, game.world.balls().id[i]});
     }
     const std::vector<PinballState::Visit> before = std::exchange(game.state.visits, visits);
@@ -99,6 +105,7 @@ void visit_zones(Pinball game) {
         if (std::ranges::binary_search(before, visit)) continue;
         const Device& place = table.devices[visit.device];
         const std::size_t ball = *index_of(game.world, visit.ball);
+        if (place.kind == DeviceKind::lock) continue;  // update_locks waits until it lies there
         if (place.kind == DeviceKind::spinner) {
             // The rim of the vane moves as fast as the ball that pushes it.
             constexpr double half_turns_per_length = 1.0 / 3.14159265358979323846;
@@ -107,9 +114,11 @@ void visit_zones(Pinball game) {
                 std::max(game.state.turning[visit.device],
                          length(game.world.balls().velocity[ball]) / rim * half_turns_per_length);
         }
+        // A ball that finds a hole occupied rolls past.
+        const bool is_taken = take_in(game, visit.device, visit.ball);
+        if (place.kind == DeviceKind::hole && !is_taken) continue;
         apply_rules(game, visit.device, RuleEvent::enter);
         if (place.kind == DeviceKind::kickback) kick_back(game, visit.device, ball);
-        if (place.kind == DeviceKind::hole) take_into_hole(game, visit.device, visit.ball);
     }
 }
 
@@ -132,7 +141,9 @@ void update_spinners(Pinball game) {
 void raise_targets(Pinball game) {
     const PinballTable& table = game.table();
     for (std::uint32_t device = 0; device < table.devices.size(); ++device) {
-        if (game.state.is_rising[device] == 0) continue;
+        if (game.state.is_rising[device] == 0 ||
+            table.devices[device].kind != DeviceKind::droptarget)
+            continue;
         for (const CapsuleId id : table.devices[device].capsules) {
             const auto index = index_of(game.world, id);
             if (!index) {
@@ -142,6 +153,24 @@ void raise_targets(Pinball game) {
                 game.state.is_rising[device] = 0;
             }
         }
+    }
+}
+
+// For gates and posts, PinballState::is_rising says that they are open.
+void update_openings(Pinball game) {
+    for (const std::uint32_t device : game.table().openings) {
+        std::uint8_t& is_open = game.state.is_rising[device];
+        const std::uint8_t wants = game.state.is_lit[device];
+        if (is_open == wants) continue;
+        const Device& door = game.table().devices[device];
+        const bool is_blocked = std::ranges::any_of(door.capsules, [&](CapsuleId id) {
+            const auto index = index_of(game.world, id);
+            return index && is_in_the_way(game.world, game.world.capsules().shape[*index]);
+        });
+        if (wants == 0 && is_blocked) continue;
+        for (const CapsuleId id : door.capsules)
+            set_side(game.world, id, wants != 0 ? Side::none : door.side);
+        is_open = wants;
     }
 }
 
@@ -161,6 +190,15 @@ bool launch(Pinball game, double pull) {
         }
     }
     return is_launched;
+}
+
+bool is_captive(const Scene& scene, BallId ball) {
+    return std::ranges::any_of(scene.table.captives,
+                               [&](const CaptiveBall& captive) { return captive.ball == ball; });
+}
+
+bool is_in_play(const Scene& scene, const PinballState& state, BallId ball) {
+    return !std::ranges::binary_search(state.locked, ball) && !is_captive(scene, ball);
 }
 
 bool is_on_plunger(const Scene& scene, const World& world) {

@@ -20,6 +20,8 @@ void take_up(Pinball game) {
     state.extra_balls = mine.extra_balls;
     state.has_replay = mine.has_replay;
     for (std::uint32_t i = 0; i < game.table().devices.size(); ++i) {
+        // Balls in locks stay there for whoever comes next.
+        if (traits(game.table().devices[i].kind).light == DeviceLight::ball) continue;
         const bool drops = game.table().devices[i].kind == DeviceKind::droptarget;
         set_lit(game, i, !drops && i < mine.is_lit.size() && mine.is_lit[i] != 0);
         if (drops) state.is_rising[i] = 1;

@@ -2,6 +2,7 @@
 #include <limits>
 #include <utility>
 
+#include "game/pinball/pinball.h"
 #include "game/pinball/pinball_players.h"
 #include "game/pinball/pinball_table.h"
 #include "game/rules/rules.h"
@@ -33,7 +34,7 @@ void add_or_set(std::int64_t& sum, const RuleAction& action, std::int64_t value)
 
 void begin_multiball(Pinball game, std::int64_t wanted) {
     constexpr std::int64_t most = 8;
-    const auto there = static_cast<std::int64_t>(game.world.balls().size() + game.state.to_serve);
+    const auto there = static_cast<std::int64_t>(all_balls(game));
     wanted = std::min(wanted, most);
     if (wanted <= there) return;
     game.state.to_serve += static_cast<std::uint32_t>(wanted - there);
@@ -44,7 +45,7 @@ void begin_multiball(Pinball game, std::int64_t wanted) {
 
 void set_lights(Pinball game, const RuleAction& action) {
     for (const std::uint32_t device : game.table().groups[action.index].devices) {
-        set_lit(game, device, action.what == What::light);
+        set_lit(game, device, action.what == What::light || action.what == What::open);
         if (action.seconds > 0.0)
             game.state.lit_until[device] = game.now() + game.ticks(action.seconds);
         const bool drops = game.table().devices[device].kind == DeviceKind::droptarget;
@@ -110,7 +111,11 @@ std::int64_t PinballAnswers::quantity(RuleQuantity what) const {
         case RuleQuantity::best:
             return best_score(state_);
         case RuleQuantity::multiball:
-            return world_.balls().size() >= 2 ? 1 : 0;
+            return std::ranges::count_if(
+                       world_.balls().id,
+                       [&](BallId ball) { return is_in_play(scene_, state_, ball); }) >= 2
+                       ? 1
+                       : 0;
         default:
             return 0;
     }
@@ -159,7 +164,12 @@ void PinballHost::act(const RuleAction& action, std::int64_t value, int depth) {
         case What::light:
         case What::unlight:
         case What::reset:
+        case What::open:
+        case What::shut:
             set_lights(game_, action);
+            break;
+        case What::release:
+            release(game_, game_.table().groups[action.index]);
             break;
         case What::start_motion:
         case What::stop_motion:
@@ -194,7 +204,8 @@ void apply_rules(Pinball game, std::uint32_t device, RuleEvent event) {
     happen(host.rules(), event, group);
     const DeviceKind kind = game.table().devices[device].kind;
     const bool lights = kind == DeviceKind::rollover || kind == DeviceKind::target ||
-                        kind == DeviceKind::droptarget;
+                        kind == DeviceKind::droptarget || kind == DeviceKind::lock ||
+                        game.table().devices[device].keeps;
     if (!lights || game.state.is_lit[device] != 0) return;
     set_lit(game, device, true);
     if (are_all_lit(game, group)) happen(host.rules(), RuleEvent::all, group);

@@ -75,6 +75,7 @@ void search_balls(Pinball game) {
         if (known != game.state.progress.end() && known->ball == id) ball = *known;
         const bool gets_on = distance(at, ball.place) > world.balls().radius[i];
         if (gets_on) ball = {id, at, game.now(), 0};
+        if (!is_in_play(game.scene, game.state, id)) continue;
         if (is_off(game, i)) {
             given_up.push_back(id);
             continue;

@@ -62,13 +62,23 @@ struct PinballState {
     };
     std::vector<Visit> visits;  ///< which ball is in which zone, ascending
 
-    /// A ball in a hole.
+    /// A ball in a hole or a magnet.
     struct Held {
         std::uint32_t device = 0;
         BallId ball{};
-        std::uint64_t until = 0;
+        std::uint64_t until = 0;  ///< keeps_until_released: until a rule releases it
     };
+    static constexpr std::uint64_t keeps_until_released = ~std::uint64_t{0};
     std::vector<Held> held;
+
+    /// A ball that lies in a lock, or has just come into it.
+    struct Lying {
+        std::uint32_t device = 0;
+        BallId ball{};
+        std::uint64_t since = 0;
+    };
+    std::vector<Lying> lying;
+    std::vector<BallId> locked;  ///< balls on the table that are out of play, ascending
 
     /// Where and when a ball last made progress.
     struct Progress {

@@ -59,11 +59,31 @@ void hit_devices(Pinball game, std::span<const Contact> contacts);
 void visit_zones(Pinball game);
 void update_spinners(Pinball game);
 
+/// Opens and shuts gates and posts as their lights say; a post shuts once no ball is in the way.
+void update_openings(Pinball game);
+
 // pinball_holes.cpp
-void take_into_hole(Pinball game, std::uint32_t device, BallId ball);
+/// Lets a hole, or a magnet that is lit, take the ball. False: it is neither, or holds one already.
+bool take_in(Pinball game, std::uint32_t device, BallId ball);
+/// Lets go what a group of holes and magnets holds.
+void release(Pinball game, const DeviceGroup& group);
 void update_holes(Pinball game);
 bool is_held(const PinballState& state, BallId ball);
 void cross_ramps(Pinball game);
+
+// pinball_balls.cpp
+/// Notes which balls have come to lie in locks, and which are locked.
+void update_locks(Pinball game);
+/// Balls that can drain: neither captive nor locked.
+std::size_t balls_in_play(Pinball game);
+/// Balls that are not captive, those that are to be served included.
+std::size_t all_balls(Pinball game);
+/// Serves a ball at the start of the level's first ball, as soon as there is room.
+void serve(Pinball game);
+void begin_game_again(Pinball game);
+/// Ends the ball in play once all have drained; serves another if the last one has been locked.
+void count_drained(Pinball game);
+void go_on_after_count(Pinball game);
 
 /// Launches the balls on a plunger with this share of its speed. False: there are none.
 bool launch(Pinball game, double pull);

@@ -52,7 +52,7 @@ std::string fallen_text(const PoolPlay& play) {
                                        : referee.ball_name(pocketed.ball);
         ++count;
     }
-    return count == 0 ? "" : fmt::format("down: {}. ", balls);
+    return count == 0 ? "" : fmt::format("pocketed: {}. ", balls);
 }
 
 }  // namespace
@@ -155,8 +155,19 @@ std::string clock_text(double seconds) {
     return fmt::format("{:.0f} s", std::ceil(seconds));
 }
 
-std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {
-    if (!play.shooter || play.is_shooting) return "";
+namespace {
+
+// As sentences: each with a capital, and a full stop at the end.
+std::string in_sentences(std::string text) {
+    bool begins = true;
+    for (char& c : text) {
+        if (begins && c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+        if (c != ' ') begins = c == '.';
+    }
+    return text.empty() || text.ends_with('.') ? text : text + ".";
+}
+
+std::string outcome_parts(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
     const std::string fallen = fallen_text(play);
     std::string foul =
@@ -178,6 +189,13 @@ std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {
     if (rules.in_hand != CueInHand::no) return fallen + foul + next + ": ball in hand";
     if (rules.player == *play.shooter) return fallen + next + " continues";
     return fallen + foul + next + ": to shoot";
+}
+
+}  // namespace
+
+std::string outcome_text(const PoolPlay& play, const PlayerNames& names) {
+    if (!play.shooter || play.is_shooting) return "";
+    return in_sentences(outcome_parts(play, names));
 }
 
 }  // namespace carom

@@ -48,8 +48,9 @@ std::string goal_text(const RuleBook& book, const RuleHost& host, const GoalStat
             amount(wanted, spent_on(wanted, host, goal.done->shots, goal.done->tick - goal.begun)),
             goal.done->stars, most_stars);
     if (wanted.limits.empty() || wanted.counts_seconds) return wanted.text;
-    return fmt::format("{} ({} of {:.0f})", wanted.text, amount(wanted, goal.shots),
-                       wanted.limits.back());
+    const double most = wanted.limits.back();
+    return fmt::format("{} ({} of {:.0f} {})", wanted.text, goal.shots, most,
+                       most == 1.0 ? "shot" : "shots");
 }
 
 void add_to(Digest& digest, const GoalState& goal) {

@@ -66,6 +66,12 @@ std::uint64_t digest_of(const World& world, const PinballState& s, int version) 
         digest.add(std::uint64_t{held.device} << 32 | number(held.ball));
         digest.add(held.until);
     }
+    for (const PinballState::Lying& ball : s.lying) {
+        digest.add(std::uint64_t{ball.device} << 32 | number(ball.ball));
+        digest.add(ball.since);
+    }
+    for (const BallId ball : s.locked)
+        digest.add(std::uint64_t{number(ball)});
     for (const PinballState::Visit& visit : s.visits)
         digest.add(std::uint64_t{visit.device} << 32 | number(visit.ball));
     for (const PinballState::Progress& watch : s.progress) {
@@ -203,8 +209,8 @@ std::size_t bytes_of(const GameState& game) {
     return bytes_in(pinball->is_lit) + bytes_in(pinball->is_rising) + bytes_in(pinball->turning) +
            bytes_in(pinball->turned) + bytes_in(pinball->visits) + bytes_in(pinball->progress) +
            bytes_in(pinball->lit_until) + bytes_in(pinball->flash_until) + bytes_in(pinball->held) +
-           bytes_in(pinball->events) + bytes_in(pinball->parked) + bytes_of(pinball->rules) +
-           pinball->message.capacity();
+           bytes_in(pinball->lying) + bytes_in(pinball->locked) + bytes_in(pinball->events) +
+           bytes_in(pinball->parked) + bytes_of(pinball->rules) + pinball->message.capacity();
 }
 
 namespace {

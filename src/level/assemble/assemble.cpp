@@ -57,7 +57,7 @@ class Assembly {
         RuleAssembly rules(table, names_, balls_, context_);
         rules.check();
         // A missing part may be one whose statement has an error.
-        if (!context_.reporter.has_errors()) table.check(!balls_.empty());
+        if (!context_.reporter.has_errors()) table.check(balls_);
         check_pool(balls_, options_, context_);
         if (context_.reporter.has_errors()) {
             symbols.check_references();
@@ -68,7 +68,7 @@ class Assembly {
         motions.fill_in(scene_);
         seesaws.fill_in(scene_.world);
         fill_in_pool(balls_, symbols.world_zones(), scene_, context_);
-        table.fill_in(scene_, symbols.world_zones());
+        table.fill_in(balls_, scene_, symbols.world_zones());
         fill_in_dress(balls_, names_, symbols.world_zones(), scene_, context_);
         rules.fill_in(scene_, symbols.world_zones());
         if (context_.reporter.has_errors()) return;
@@ -293,8 +293,9 @@ class Assembly {
         if (s.cloth) model.spin = s.inertia.value_or(solid_ball);
         if (s.wrap) model.wrap = s.world;
         model.inelastic = is_inelastic();
-        model.one_way = std::ranges::any_of(
-            ir_.devices, [](const DeviceIr& d) { return d.device.kind == DeviceKind::droptarget; });
+        model.one_way = std::ranges::any_of(ir_.devices, [](const DeviceIr& d) {
+            return d.device.kind == DeviceKind::droptarget || d.device.kind == DeviceKind::post;
+        });
         model.filtered = !names_.all_collide();
         model.ball_ball = names_.some_balls_collide();
         model.ball_edge = names_.some_edges_collide();

@@ -20,6 +20,10 @@ void PinballAssembly::collect_devices() {
         if (capsule.device >= 0) is_drawn[static_cast<std::size_t>(capsule.device)] = true;
     for (const ZoneIr& zone : ir_.zones)
         if (zone.device >= 0) is_drawn[static_cast<std::size_t>(zone.device)] = true;
+    for (std::size_t i = 0; i < ir_.balls.size(); ++i) {
+        const int captive = ir_.balls[i].device;
+        if (captive >= 0) is_drawn[static_cast<std::size_t>(captive)] = true;
+    }
     scene_device_.assign(ir_.devices.size(), -1);
     for (std::size_t i = 0; i < ir_.devices.size(); ++i) {
         const DeviceIr& spec = ir_.devices[i];
@@ -111,13 +115,26 @@ std::optional<std::uint32_t> PinballAssembly::group_named(const Word& name, bool
     return std::nullopt;
 }
 
-void PinballAssembly::check(bool has_balls) {
+bool PinballAssembly::keeps_balls(std::uint32_t group) const {
+    return std::ranges::all_of(table_.groups[group].devices,
+                               [&](std::uint32_t device) { return table_.devices[device].keeps; });
+}
+
+int PinballAssembly::captive_device(const StartingBall& ball) const {
+    return ball.spec < 0 ? -1 : ir_.balls[static_cast<std::size_t>(ball.spec)].device;
+}
+
+void PinballAssembly::check(const std::vector<StartingBall>& balls) {
     if (!ir_.settings.table.is_game) return;
     const Span& at = *ir_.settings.game_at;
     const auto has = [&](DeviceKind kind) {
         return std::ranges::count(table_.devices, kind, &Device::kind) > 0;
     };
-    if (!has_balls)
+    if (!balls.empty() && captive_device(balls.front()) >= 0)
+        context_.reporter.error("captive-before-ball", balls.front().origin.span(),
+                                "the first ball of a table is the one that is served",
+                                "write the captive ball below it");
+    if (balls.empty())
         context_.reporter.error("pinball-without-ball", at, "pinball needs a ball",
                                 "put one where each ball begins: ball NAME at=...");
     if (!has(DeviceKind::drain))
@@ -125,16 +142,19 @@ void PinballAssembly::check(bool has_balls) {
                                 "say where balls are lost: drain NAME x,y x,y");
 }
 
-void PinballAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones) {
+void PinballAssembly::fill_in_captives(const std::vector<StartingBall>& balls, Scene& scene) {
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const int spec = captive_device(balls[i]);
+        const int device = spec < 0 ? -1 : scene_device_[static_cast<std::size_t>(spec)];
+        if (device < 0) continue;
+        const auto index = static_cast<std::uint32_t>(device);
+        table_.devices[index].place = balls[i].position;
+        table_.captives.push_back({scene.world.balls().id[i], index});
+    }
+}
+
+void PinballAssembly::fill_in_edges(Scene& scene) {
     World& world = scene.world;
-    const PinballTable settings = ir_.settings.table;
-    table_.is_game = settings.is_game;
-    table_.balls = settings.balls;
-    table_.save = settings.save;
-    table_.warnings = settings.warnings;
-    table_.bonus = settings.bonus;
-    table_.replay = settings.replay;
-    table_.highscores = settings.highscores;
     table_.device_of_capsule.assign(ir_.capsules.size(), -1);
     for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
         const CapsuleIr& spec = ir_.capsules[i];
@@ -159,6 +179,26 @@ void PinballAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& wo
         Device& made = table_.devices[static_cast<std::size_t>(device)];
         made.capsules.push_back(id);
         made.place = (spec.shape.start + spec.shape.end) * 0.5;
+        made.side = spec.side;
+    }
+}
+
+void PinballAssembly::fill_in(const std::vector<StartingBall>& balls, Scene& scene,
+                              const std::vector<std::uint32_t>& world_zones) {
+    const PinballTable settings = ir_.settings.table;
+    table_.is_game = settings.is_game;
+    table_.balls = settings.balls;
+    table_.save = settings.save;
+    table_.warnings = settings.warnings;
+    table_.bonus = settings.bonus;
+    table_.replay = settings.replay;
+    table_.highscores = settings.highscores;
+    fill_in_edges(scene);
+    fill_in_captives(balls, scene);
+    for (std::uint32_t i = 0; i < table_.devices.size(); ++i) {
+        const Device& device = table_.devices[i];
+        if (traits(device.kind).light == DeviceLight::opening) table_.openings.push_back(i);
+        table_.has_locks = table_.has_locks || device.kind == DeviceKind::lock || device.keeps;
     }
     for (std::size_t i = 0; i < ir_.zones.size(); ++i) {
         if (ir_.zones[i].device < 0) continue;

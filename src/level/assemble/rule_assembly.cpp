@@ -16,7 +16,7 @@ std::optional<std::string> never_gives(DeviceKind kind, RuleEvent event) {
     const DeviceTraits& device = traits(kind);
     if (event == RuleEvent::all) {
         if (device.completes_group) return std::nullopt;
-        return "only rollovers, targets and lamps light up one by one";
+        return "only rollovers, targets, lamps and locks light up one by one";
     }
     if (kind == DeviceKind::lamp) return "a lamp only shines: wait for what lights it";
     if (event == RuleEvent::enter)
@@ -57,7 +57,8 @@ void renumber(RuleAction& action, const std::vector<std::uint32_t>& meanings) {
     renumber(action.value, meanings);
     renumber(action.text, meanings);
     if (action.what == light || action.what == unlight || action.what == reset ||
-        action.what == advance || action.what == respot || action.what == remove)
+        action.what == advance || action.what == open || action.what == shut ||
+        action.what == release || action.what == respot || action.what == remove)
         action.index = meanings[action.index];
     if (action.place >= 0)
         action.place = static_cast<std::int32_t>(meanings[static_cast<std::size_t>(action.place)]);
@@ -97,6 +98,13 @@ bool RuleAssembly::resolve_device_event(RuleIr& spec) {
                fmt::format("'{}' is a {}, which never gives '{}'", spec.subject.text,
                            traits(kind).name, spec.event.text),
                *why);
+        return false;
+    }
+    if (spec.rule.event == RuleEvent::all && kind == DeviceKind::hole &&
+        !table_.keeps_balls(*group)) {
+        refuse("event-never-happens", spec.event,
+               fmt::format("'{}' keeps no balls, so it is never full", spec.subject.text),
+               "write the word keeps in the line of the hole, or wait for enter");
         return false;
     }
     if (spec.rule.event == RuleEvent::all && table_.is_one_of_group(*group)) {

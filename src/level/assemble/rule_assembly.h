@@ -50,7 +50,10 @@ class RuleAssembly {
 
     // rule_names.cpp: what names denote
     std::optional<std::vector<std::uint32_t>> resolve(const std::vector<RuleNameIr>& names);
-    std::optional<std::uint32_t> lights_named(const Word& name);
+    std::optional<std::uint32_t> meaning_of(const RuleNameIr& name);
+    std::optional<std::uint32_t> lights_named(const Word& name, Role role);
+    std::optional<std::uint32_t> opening_named(const Word& name);
+    std::optional<std::uint32_t> holder_named(const Word& name);
     std::optional<std::uint32_t> shot_named(const Word& name);
     std::optional<std::uint32_t> balls_named(const Word& name);
     std::optional<std::uint32_t> find_balls(std::string_view name);
@@ -64,6 +67,7 @@ class RuleAssembly {
     void check_motions();
     void check_game();
     void check_devices();
+    void check_use_of_devices();
     void check_events();
     bool has_action(std::initializer_list<RuleAction::What> wanted) const;
     bool has_action(RuleAction::What wanted, std::uint32_t index) const;

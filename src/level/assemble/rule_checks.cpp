@@ -90,8 +90,35 @@ void RuleAssembly::check_devices() {
     }
 }
 
+// Parts that do nothing until a rule moves them, and that no rule does.
+void RuleAssembly::check_use_of_devices() {
+    using enum RuleAction::What;
+    const auto is_used = [&](std::size_t spec, RuleAction::What what) {
+        return std::ranges::any_of(book_.rules, [&](const Rule& rule) {
+            return std::ranges::any_of(rule.actions, [&](const RuleAction& action) {
+                return action.what == what &&
+                       table_.has_device(action.index, table_.device_of(spec));
+            });
+        });
+    };
+    for (std::size_t i = 0; i < ir_.devices.size(); ++i) {
+        const Device& device = ir_.devices[i].device;
+        const auto warn = [&](RuleAction::What what, std::string message, std::string remedy) {
+            if (table_.device_of(i) < 0 || is_used(i, what)) return;
+            context_.reporter.warning("device-unused", ir_.devices[i].origin.span(),
+                                      std::move(message), std::move(remedy));
+        };
+        if (device.keeps)
+            warn(release, "nothing releases the balls of this hole", "add an action: release NAME");
+        if (device.kind == DeviceKind::magnet)
+            warn(light, "nothing lights this magnet", "add an action: light NAME");
+        if (device.kind == DeviceKind::post)
+            warn(open, "nothing opens this post", "add an action: open NAME; or draw an edge");
+    }
+}
+
 void RuleAssembly::check_game() {
-    if (is_pinball()) return;
+    if (is_pinball()) return check_use_of_devices();
     check_devices();
     using enum RuleAction::What;
     const Span at = *ir_.settings.game_at;

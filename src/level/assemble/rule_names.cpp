@@ -9,7 +9,7 @@
 // What the names in rules denote: members of RuleAssembly.
 namespace carom {
 
-std::optional<std::uint32_t> RuleAssembly::lights_named(const Word& name) {
+std::optional<std::uint32_t> RuleAssembly::lights_named(const Word& name, Role role) {
     if (!is_pinball()) {
         refuse("unknown-variable", name,
                fmt::format("there is no variable or timer '{}'", name.text),
@@ -17,10 +17,37 @@ std::optional<std::uint32_t> RuleAssembly::lights_named(const Word& name) {
         return std::nullopt;
     }
     const auto lit = table_.group_named(name, false);
-    if (!lit || traits(table_.kind_of(*lit)).has_light) return lit;
-    refuse("device-without-light", name, fmt::format("'{}' has no lights", name.text),
-           "only rollovers, targets, lamps and kickbacks are lit");
-    return std::nullopt;
+    if (!lit) return std::nullopt;
+    const DeviceKind kind = table_.kind_of(*lit);
+    const DeviceLight light = traits(kind).light;
+    const bool is_empty_hole = kind == DeviceKind::hole && !table_.keeps_balls(*lit);
+    if (light == DeviceLight::none || is_empty_hole)
+        return refuse("device-without-light", name, fmt::format("'{}' has no lights", name.text),
+                      "only rollovers, targets, lamps, kickbacks and magnets are lit");
+    if (role == Role::lights || light == DeviceLight::rules) return lit;
+    return refuse("device-without-light", name,
+                  fmt::format("'{}' is lit while it {}", name.text,
+                              light == DeviceLight::ball ? "holds a ball" : "is open"),
+                  kind == DeviceKind::lock   ? "rules do not switch it"
+                  : kind == DeviceKind::hole ? fmt::format("write: release {}", name.text)
+                                             : fmt::format("write: open {}", name.text));
+}
+
+std::optional<std::uint32_t> RuleAssembly::opening_named(const Word& name) {
+    const auto door = table_.group_named(name, false);
+    if (!door || traits(table_.kind_of(*door)).light == DeviceLight::opening) return door;
+    return refuse("device-does-not-open", name, fmt::format("'{}' does not open", name.text),
+                  "only gates and posts open and shut");
+}
+
+std::optional<std::uint32_t> RuleAssembly::holder_named(const Word& name) {
+    const auto holder = table_.group_named(name, false);
+    if (!holder) return std::nullopt;
+    const DeviceKind kind = table_.kind_of(*holder);
+    if (kind == DeviceKind::hole || kind == DeviceKind::magnet) return holder;
+    return refuse("device-holds-nothing", name, fmt::format("'{}' does not hold balls", name.text),
+                  kind == DeviceKind::lock ? "open the post on which its balls lie"
+                                           : "only holes and magnets do");
 }
 
 std::optional<std::uint32_t> RuleAssembly::shot_named(const Word& name) {
@@ -123,14 +150,30 @@ std::optional<std::uint32_t> RuleAssembly::place_named(const Word& name, bool is
     return std::nullopt;
 }
 
+std::optional<std::uint32_t> RuleAssembly::meaning_of(const RuleNameIr& name) {
+    switch (name.role) {
+        case Role::lights:
+        case Role::switched:
+            return lights_named(name.word, name.role);
+        case Role::opening:
+            return opening_named(name.word);
+        case Role::holder:
+            return holder_named(name.word);
+        case Role::balls:
+            return balls_named(name.word);
+        case Role::device:
+            return shot_named(name.word);
+        case Role::place:
+            break;
+    }
+    return place_named(name.word, false);
+}
+
 std::optional<std::vector<std::uint32_t>> RuleAssembly::resolve(
     const std::vector<RuleNameIr>& names) {
     std::vector<std::uint32_t> meanings;
     for (const RuleNameIr& name : names) {
-        const auto found = name.role == Role::lights   ? lights_named(name.word)
-                           : name.role == Role::balls  ? balls_named(name.word)
-                           : name.role == Role::device ? shot_named(name.word)
-                                                       : place_named(name.word, false);
+        const auto found = meaning_of(name);
         if (!found) return std::nullopt;
         meanings.push_back(*found);
     }

@@ -11,9 +11,9 @@ std::vector<Statement> rows_of_all_families() {
     for (const auto family :
          {header_statements, variable_statements, setting_statements, class_statements,
           ball_statements, shape_statements, galton_statements, pool_statements, block_statements,
-          map_statements, pinball_statements, pinball_zone_statements, game_statements,
-          motion_statements, seesaw_statements, dress_statements, amendment_statements,
-          experiment_statements}) {
+          map_statements, pinball_statements, pinball_zone_statements, pinball_holder_statements,
+          game_statements, motion_statements, seesaw_statements, dress_statements,
+          amendment_statements, experiment_statements}) {
         for (Statement& row : family())
             rows.push_back(std::move(row));
     }

@@ -39,6 +39,7 @@ struct BallIr : BallSpec {
     Vec2 racked;
     double gap = 0.0;
     int binding = 0;  ///< index into LevelIr::ball_bindings
+    int device = -1;  ///< of a captive ball: index into LevelIr::devices
     Origin origin;
 };
 

@@ -104,10 +104,13 @@ struct DeviceIr {
 /// A name in a rule, and what it may denote.
 struct RuleNameIr {
     enum class Role : std::uint8_t {
-        lights,  ///< devices that have lights
-        balls,   ///< a ball, a rack, a kind, or `ball`, `cue`, `opponent`
-        place,   ///< a pocket or a zone
-        device   ///< a part of a pinball table
+        lights,    ///< devices that have lights, or are lit while they are open or hold a ball
+        switched,  ///< devices whose lights rules switch
+        opening,   ///< gates and posts
+        holder,    ///< holes and magnets
+        balls,     ///< a ball, a rack, a kind, or `ball`, `cue`, `opponent`
+        place,     ///< a pocket or a zone
+        device     ///< a part of a pinball table
     };
     Word word;
     Role role = Role::lights;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/vec2.h"
+#include "physics/world/bodies.h"
 #include "physics/world/ids.h"
 
 /// The devices of a pinball table, as plain data; the game moves them (game/pinball/pinball.h). Its
@@ -29,15 +30,27 @@ enum class DeviceKind : std::uint8_t {
     drain,       ///< a zone that removes balls from play
     lamp,        ///< a light only
     hole,        ///< a saucer: a zone that holds a ball for a time, then ejects it
-    ramp         ///< a zone that moves passing balls to another layer
+    ramp,        ///< a zone that moves passing balls to another layer
+    post,        ///< an edge that stands up until a rule opens it
+    lock,        ///< a zone: a ball that comes to lie in it is out of play until it leaves
+    magnet,      ///< a zone that catches a ball while it is lit, and lets it go
+    captive      ///< a ball that stays where it is shut in, and that other balls hit
+};
+
+/// What lights a device.
+enum class DeviceLight : std::uint8_t {
+    none,
+    rules,   ///< `light NAME`, and of some kinds a ball
+    ball,    ///< it is lit while it holds a ball
+    opening  ///< rules `open` and `shut` it, and it is lit while it is open
 };
 
 /// What a kind of device can do, for the statements and the rules of a level.
 struct DeviceTraits {
     DeviceKind kind;
-    std::string_view name;         ///< the keyword of its statement
-    bool is_zone = false;          ///< balls enter it instead of bouncing off
-    bool has_light = false;        ///< rules may light it: `light NAME`
+    std::string_view name;  ///< the keyword of its statement
+    bool is_zone = false;   ///< balls enter it instead of bouncing off
+    DeviceLight light = DeviceLight::none;
     bool completes_group = false;  ///< it takes part in `on NAME all`
 };
 
@@ -48,16 +61,20 @@ inline constexpr std::array device_traits{
     DeviceTraits{DeviceKind::bumper, "bumper"},
     DeviceTraits{DeviceKind::slingshot, "slingshot"},
     DeviceTraits{DeviceKind::plunger, "plunger"},
-    DeviceTraits{DeviceKind::gate, "gate"},
-    DeviceTraits{DeviceKind::droptarget, "droptarget", false, true, true},
-    DeviceTraits{DeviceKind::target, "target", false, true, true},
-    DeviceTraits{DeviceKind::rollover, "rollover", true, true, true},
+    DeviceTraits{DeviceKind::gate, "gate", false, DeviceLight::opening},
+    DeviceTraits{DeviceKind::droptarget, "droptarget", false, DeviceLight::rules, true},
+    DeviceTraits{DeviceKind::target, "target", false, DeviceLight::rules, true},
+    DeviceTraits{DeviceKind::rollover, "rollover", true, DeviceLight::rules, true},
     DeviceTraits{DeviceKind::spinner, "spinner", true},
-    DeviceTraits{DeviceKind::kickback, "kickback", true, true},
+    DeviceTraits{DeviceKind::kickback, "kickback", true, DeviceLight::rules},
     DeviceTraits{DeviceKind::drain, "drain", true},
-    DeviceTraits{DeviceKind::lamp, "lamp", false, true, true},
-    DeviceTraits{DeviceKind::hole, "hole", true},
-    DeviceTraits{DeviceKind::ramp, "ramp", true}};
+    DeviceTraits{DeviceKind::lamp, "lamp", false, DeviceLight::rules, true},
+    DeviceTraits{DeviceKind::hole, "hole", true, DeviceLight::ball, true},
+    DeviceTraits{DeviceKind::ramp, "ramp", true},
+    DeviceTraits{DeviceKind::post, "post", false, DeviceLight::opening},
+    DeviceTraits{DeviceKind::lock, "lock", true, DeviceLight::ball, true},
+    DeviceTraits{DeviceKind::magnet, "magnet", true, DeviceLight::rules},
+    DeviceTraits{DeviceKind::captive, "captive"}};
 
 static_assert([] {
     for (std::size_t i = 0; i < device_traits.size(); ++i)
@@ -77,13 +94,16 @@ struct Device {
     std::vector<CapsuleId> capsules;    ///< its solid shapes, which balls hit
     std::optional<std::uint32_t> zone;  ///< index into World::zones, if it has one
     Vec2 place;                         ///< its centre
-    Vec2 direction;            ///< unit: the launch of a plunger, kickback or hole; across a ramp
-    double least_speed = 0.0;  ///< plunger: launch speed of a light pull, length/s
-    double most_speed = 0.0;   ///< plunger: of a full pull; kickback, hole: launch speed
-    double scatter = 0.0;      ///< plunger: share by which launch speeds vary, to either side
-    double hold = 0.0;         ///< hole: how long it holds a ball, s
-    std::uint8_t from = 0;     ///< ramp: the layer that a ball leaves
-    std::uint8_t to = 0;       ///< ramp: the layer that it enters
+    Vec2 direction;  ///< unit: the launch of a plunger, kickback or hole; across a ramp
+    /// Plunger: launch speed of a light pull. Ramp: that a ball needs to climb it. length/s
+    double least_speed = 0.0;
+    double most_speed = 0.0;  ///< plunger: of a full pull; kickback, hole: launch speed
+    double scatter = 0.0;     ///< plunger: share by which launch speeds vary, to either side
+    double hold = 0.0;        ///< hole, magnet: how long it holds a ball, s
+    std::uint8_t from = 0;    ///< the layer of a zone; ramp: that which a ball leaves
+    std::uint8_t to = 0;      ///< ramp, hole: the layer that it enters
+    bool keeps = false;       ///< hole: holds a ball, out of play, until a rule releases it
+    Side side = Side::both;   ///< gate, post: on which side it pushes while it is shut
 };
 
 /// Devices that share a name, in the order of the file; or one of them, such as lanes.2.
@@ -91,6 +111,12 @@ struct DeviceGroup {
     std::string name;
     DeviceKind kind = DeviceKind::edge;
     std::vector<std::uint32_t> devices;
+};
+
+/// A ball that stays where it is, and the device that it is.
+struct CaptiveBall {
+    BallId ball{};
+    std::uint32_t device = 0;
 };
 
 /// The buttons of a table. A nudge pushes the balls on the table in its direction.
@@ -111,6 +137,9 @@ struct PinballTable {
     std::vector<std::int32_t>
         device_of_capsule;                ///< by index of the capsule at the start; -1: no device
     std::vector<Button> flipper_buttons;  ///< by World::flippers
+    std::vector<CaptiveBall> captives;    ///< ascending by ball
+    std::vector<std::uint32_t> openings;  ///< the devices that rules open and shut
+    bool has_locks = false;               ///< locks, or holes that keep balls
 
     bool is_game = false;     ///< the level says `game pinball`: balls are counted and rules apply
     std::uint32_t balls = 3;  ///< of a game

@@ -174,7 +174,10 @@ struct RuleAction {
         reset,       ///< pinball: lights of the group `index` off, its drop targets up
         light,       ///< pinball: lights on, for `seconds`, or 0 until they are switched off
         unlight,     ///< pinball: lights off
-        advance      ///< pinball: the first unlit light on
+        advance,     ///< pinball: the first unlit light on
+        open,        ///< pinball: gates or posts open, for `seconds`, or 0 until they are shut
+        shut,        ///< pinball: gates or posts shut
+        release      ///< pinball: holes and magnets let go what they hold
     };
     What what = What::score;
     bool adds = false;  ///< set, bonus, multiplier

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "level/statements/keys.h"
+
 namespace carom {
 
 bool has_units(const Context& context) {
@@ -62,6 +64,44 @@ void emit_device_zone(const Capsule& shape, Zone::Effect effect, DeviceIr device
     zone.shape = {t.point(shape.start), t.point(shape.end), shape.radius};
     zone.effect = effect;
     context.ir.zones.push_back({zone, binding, Origin(at, frame.image), number});
+}
+
+double zone_radius(const Arguments& arguments, Context& context) {
+    return arguments.number_or("r", default_size(0.015, 1.0, context));
+}
+
+DeviceIr device_at(Vec2 at, const Device& device, int binding, const Arguments& arguments,
+                   const Frame& frame) {
+    DeviceIr made{.device = device, .binding = binding, .origin = origin_of(arguments, frame)};
+    made.device.place = frame.transform.point(at);
+    return made;
+}
+
+void build_zones(Device device, const Arguments& arguments, const Frame& frame, Context& context) {
+    const double radius = zone_radius(arguments, context);
+    device.from = static_cast<std::uint8_t>(arguments.number_or("layer", 0.0));
+    const int binding = bind_device(arguments, std::nullopt, context);
+    for (std::size_t i = 0; i < arguments.places.size(); ++i) {
+        const Vec2 at = arguments.places[i];
+        emit_device_zone({at, at, radius}, Zone::Effect::census,
+                         device_at(at, device, binding, arguments, frame),
+                         arguments.place_words[i].span(), frame, context);
+    }
+}
+
+Statement placed_device(std::string_view name, std::string_view usage, StatementAction action,
+                        const std::vector<KeyRule>& other_keys,
+                        std::vector<std::string_view> flags) {
+    std::vector<KeyRule> all{keys::places};
+    all.insert(all.end(), other_keys.begin(), other_keys.end());
+    all.push_back(keys::color);
+    return {.name = name,
+            .usage = usage,
+            .action = action,
+            .plain_most = 1,
+            .keys = std::move(all),
+            .flags = std::move(flags),
+            .binds_names = true};
 }
 
 std::optional<Vec2> read_direction(const Arguments& arguments, std::string_view key,

@@ -2,8 +2,10 @@
 
 #include "level/ir/arguments.h"
 #include "level/ir/emit.h"
+#include "level/language/statement.h"
 
-/// Helpers of the statements that make pinball devices (pinball.cpp, pinball_zones.cpp).
+/// Helpers of the statements that make pinball devices (pinball.cpp, pinball_zones.cpp,
+/// pinball_holders.cpp).
 namespace carom {
 
 bool has_units(const Context& context);
@@ -33,6 +35,21 @@ void emit_device_capsule(const Capsule& shape, Side side, DeviceIr device, const
 /// Adds the device and the zone that is its shape, in the frame's coordinates.
 void emit_device_zone(const Capsule& shape, Zone::Effect effect, DeviceIr device, const Span& at,
                       const Frame& frame, Context& context);
+
+/// The radius of the zone of a device: r=, or a default.
+double zone_radius(const Arguments& arguments, Context& context);
+
+/// The device with its place.
+DeviceIr device_at(Vec2 at, const Device& device, int binding, const Arguments& arguments,
+                   const Frame& frame);
+
+/// Makes a device for each at=: a round zone that detects balls on its layer.
+void build_zones(Device device, const Arguments& arguments, const Frame& frame, Context& context);
+
+/// The row of a statement that makes a device for each at=.
+Statement placed_device(std::string_view name, std::string_view usage, StatementAction action,
+                        const std::vector<KeyRule>& other_keys,
+                        std::vector<std::string_view> flags = {});
 
 /// The value of a key that is up, down, left or right, as a unit vector. None: reported.
 std::optional<Vec2> read_direction(const Arguments& arguments, std::string_view key,

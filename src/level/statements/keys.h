@@ -24,6 +24,12 @@ inline constexpr KeyRule friction{.name = "mu",
                                   .needs_spin = true};
 inline constexpr KeyRule ball_mass{"m", KeyShape::scalar, Measure::mass, Bound::positive};
 
+/// Of a pinball device that detects balls around its place.
+inline constexpr KeyRule zone_radius{"r", KeyShape::scalar, Measure::length, Bound::positive};
+
+/// Of such a device: the layer on which it detects balls.
+inline constexpr KeyRule zone_layer{"layer", KeyShape::scalar, Measure::whole, Bound::layer};
+
 /// The looks of what a statement makes; no part of the physics.
 inline constexpr KeyRule color{"color", KeyShape::color};
 

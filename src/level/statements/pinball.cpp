@@ -142,6 +142,10 @@ void build_target(const Arguments& arguments, const Frame& frame, Context& conte
     build_edges(DeviceKind::target, standing_target, {}, arguments, frame, context);
 }
 
+void build_post(const Arguments& arguments, const Frame& frame, Context& context) {
+    build_edges(DeviceKind::post, steel, {}, arguments, frame, context);
+}
+
 void build_gate(const Arguments& arguments, const Frame& frame, Context& context) {
     if (!are_ends_paired(arguments, context)) return;
     const auto pass = read_direction(arguments, "pass", context);
@@ -229,6 +233,8 @@ std::vector<Statement> pinball_statements() {
               build_droptarget, {keys::edge_radius}),
         edges("target", "target [MATERIAL] [NAME] X,Y X,Y ... [r=] [material=] [name=] [color=]",
               build_target, {keys::edge_radius}),
+        edges("post", "post [MATERIAL] [NAME] X,Y X,Y ... [r=] [material=] [name=] [color=]",
+              build_post, {keys::edge_radius}),
         edges("gate",
               "gate [MATERIAL] [NAME] X,Y X,Y ... pass=up|down|left|right [r=] [material=] [name=] "
               "[color=]",

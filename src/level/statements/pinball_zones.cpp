@@ -7,31 +7,6 @@
 namespace carom {
 namespace {
 
-// The zone radius of a device without r=.
-double zone_radius(const Arguments& arguments, Context& context) {
-    return arguments.number_or("r", default_size(0.015, 1.0, context));
-}
-
-DeviceIr device_at(Vec2 at, const Device& device, int binding, const Arguments& arguments,
-                   const Frame& frame) {
-    DeviceIr made{.device = device, .binding = binding, .origin = origin_of(arguments, frame)};
-    made.device.place = frame.transform.point(at);
-    return made;
-}
-
-// Makes a device for each at=: a round zone that detects balls.
-void build_zones(const Device& device, const Arguments& arguments, const Frame& frame,
-                 Context& context) {
-    const double radius = zone_radius(arguments, context);
-    const int binding = bind_device(arguments, std::nullopt, context);
-    for (std::size_t i = 0; i < arguments.places.size(); ++i) {
-        const Vec2 at = arguments.places[i];
-        emit_device_zone({at, at, radius}, Zone::Effect::census,
-                         device_at(at, device, binding, arguments, frame),
-                         arguments.place_words[i].span(), frame, context);
-    }
-}
-
 void build_rollover(const Arguments& arguments, const Frame& frame, Context& context) {
     build_zones({.kind = DeviceKind::rollover}, arguments, frame, context);
 }
@@ -49,30 +24,6 @@ void build_kickback(const Arguments& arguments, const Frame& frame, Context& con
     build_zones(device, arguments, frame, context);
 }
 
-// A hole aims at the point toward=, so each position has its own direction.
-void build_hole(const Arguments& arguments, const Frame& frame, Context& context) {
-    Device device{.kind = DeviceKind::hole};
-    device.most_speed = arguments.number_or("speed", 0.0);
-    device.hold = arguments.number_or("hold", 1.0);
-    const double radius = zone_radius(arguments, context);
-    const int binding = bind_device(arguments, std::nullopt, context);
-    for (std::size_t i = 0; i < arguments.places.size(); ++i) {
-        const Vec2 at = arguments.places[i];
-        const Vec2 aim = arguments.pair_or("toward", {}) - at;
-        const double distance = length(aim);
-        if (!(distance > 0.0)) {
-            context.reporter.error("hole-aims-at-itself", arguments.span_of("toward"),
-                                   "the hole sends balls to where it is",
-                                   "give a point that it aims at");
-            return;
-        }
-        device.direction = frame.transform.direction(aim / distance);
-        emit_device_zone({at, at, radius}, Zone::Effect::census,
-                         device_at(at, device, binding, arguments, frame),
-                         arguments.place_words[i].span(), frame, context);
-    }
-}
-
 void build_ramp(const Arguments& arguments, const Frame& frame, Context& context) {
     const auto pass = read_direction(arguments, "pass", context);
     if (!pass) return;
@@ -84,10 +35,17 @@ void build_ramp(const Arguments& arguments, const Frame& frame, Context& context
                                "layer= and from= are two layers, such as layer=1 from=0");
         return;
     }
+    if (arguments.has("speed") && layer < from) {
+        context.reporter.error("ramp-falls", arguments.span_of("speed"),
+                               "a ball needs no speed to come down a ramp",
+                               "take speed= out, or give it to the ramp that leads up");
+        return;
+    }
     DeviceIr spec{.device = {.kind = DeviceKind::ramp},
                   .binding = bind_device(arguments, std::nullopt, context),
                   .origin = origin_of(arguments, frame)};
     spec.device.direction = frame.transform.direction(*pass);
+    spec.device.least_speed = arguments.number_or("speed", 0.0);
     spec.device.from = static_cast<std::uint8_t>(from);
     spec.device.to = static_cast<std::uint8_t>(layer);
     emit_device_zone({arguments.points[0], arguments.points[1],
@@ -113,22 +71,6 @@ void build_drain(const Arguments& arguments, const Frame& frame, Context& contex
                      arguments.point_words[0].span(), frame, context);
 }
 
-constexpr KeyRule radius{"r", KeyShape::scalar, Measure::length, Bound::positive};
-
-// The row of a statement that makes a device for each at=.
-Statement placed_device(std::string_view name, std::string_view usage, StatementAction action,
-                        const std::vector<KeyRule>& other_keys) {
-    std::vector<KeyRule> all{keys::places};
-    all.insert(all.end(), other_keys.begin(), other_keys.end());
-    all.push_back(keys::color);
-    return {.name = name,
-            .usage = usage,
-            .action = action,
-            .plain_most = 1,
-            .keys = std::move(all),
-            .binds_names = true};
-}
-
 }  // namespace
 
 std::vector<Statement> pinball_zone_statements() {
@@ -137,22 +79,17 @@ std::vector<Statement> pinball_zone_statements() {
     constexpr auto number = Measure::number;
     const KeyRule required_speed{"speed", scalar, Measure::speed, positive, true};
     return {
-        placed_device("rollover", "rollover [NAME] at=X,Y ... [r=] [color=]", build_rollover,
-                      {radius}),
-        placed_device("spinner", "spinner [NAME] at=X,Y ... [r=] [color=]", build_spinner,
-                      {radius}),
-        placed_device("kickback",
-                      "kickback [NAME] at=X,Y ... dir=up|down|left|right speed= [r=] [color=]",
-                      build_kickback, {{"dir", word, number, any, true}, required_speed, radius}),
-        placed_device("hole", "hole [NAME] at=X,Y ... toward=X,Y speed= [hold=TIME] [r=] [color=]",
-                      build_hole,
-                      {{"toward", pair, Measure::length, any, true},
-                       required_speed,
-                       {"hold", scalar, Measure::time, positive},
-                       radius}),
+        placed_device("rollover", "rollover [NAME] at=X,Y ... [layer=0..3] [r=] [color=]",
+                      build_rollover, {keys::zone_layer, keys::zone_radius}),
+        placed_device("spinner", "spinner [NAME] at=X,Y ... [layer=0..3] [r=] [color=]",
+                      build_spinner, {keys::zone_layer, keys::zone_radius}),
+        placed_device(
+            "kickback", "kickback [NAME] at=X,Y ... dir=up|down|left|right speed= [r=] [color=]",
+            build_kickback, {{"dir", word, number, any, true}, required_speed, keys::zone_radius}),
         {.name = "ramp",
          .usage =
-             "ramp [NAME] X,Y X,Y pass=up|down|left|right layer=0..3 [from=0..3] [r=] [color=]",
+             "ramp [NAME] X,Y X,Y pass=up|down|left|right layer=0..3 [from=0..3] [speed=] [r=] "
+             "[color=]",
          .action = build_ramp,
          .plain_most = 1,
          .points_least = 2,
@@ -160,7 +97,8 @@ std::vector<Statement> pinball_zone_statements() {
          .keys = {{"pass", word, number, any, true},
                   {"layer", scalar, Measure::whole, layer, true},
                   {"from", scalar, Measure::whole, layer},
-                  radius,
+                  {"speed", scalar, Measure::speed, positive},
+                  keys::zone_radius,
                   keys::color},
          .binds_names = true},
         placed_device("lamp", "lamp [NAME] at=X,Y ... [color=]", build_lamp, {}),
@@ -170,7 +108,7 @@ std::vector<Statement> pinball_zone_statements() {
          .plain_most = 1,
          .points_least = 2,
          .points_most = 2,
-         .keys = {radius},
+         .keys = {keys::zone_radius},
          .binds_names = true},
     };
 }

@@ -21,6 +21,9 @@ enum class Takes {
     time,
     lights,
     lights_and_maybe_time,
+    opening,
+    opening_and_maybe_time,
+    holder,
     timer,
     timer_and_maybe_time,
     balls_and_maybe_place,
@@ -50,6 +53,9 @@ constexpr ActionShape shapes[] = {
     {"light", What::light, Takes::lights_and_maybe_time, pinball, "light NAME"},
     {"unlight", What::unlight, Takes::lights, pinball, "unlight NAME"},
     {"advance", What::advance, Takes::lights, pinball, "advance NAME"},
+    {"open", What::open, Takes::opening_and_maybe_time, pinball, "open NAME 2s"},
+    {"shut", What::shut, Takes::opening, pinball, "shut NAME"},
+    {"release", What::release, Takes::holder, pinball, "release NAME"},
     {"message", What::message, Takes::text, both, "message \"TEXT\""},
     {"start", What::start, Takes::timer_and_maybe_time, both, "start TIMER 20s"},
     {"stop", What::stop, Takes::timer, both, "stop TIMER"},
@@ -86,6 +92,7 @@ Counts words_of(Takes takes) {
         case Takes::maybe_place:
             return {1, 2};
         case Takes::lights_and_maybe_time:
+        case Takes::opening_and_maybe_time:
         case Takes::timer_and_maybe_time:
         case Takes::balls_and_maybe_place:
             return {2, 3};
@@ -116,8 +123,15 @@ class ActionReader {
                 return read_time(words[1], action);
             case Takes::lights:
             case Takes::lights_and_maybe_time:
-                action.index = reader_.name(words[1], Role::lights);
+                action.index = reader_.name(words[1], Role::switched);
                 return words.size() < 3 || read_time(words[2], action);
+            case Takes::opening:
+            case Takes::opening_and_maybe_time:
+                action.index = reader_.name(words[1], Role::opening);
+                return words.size() < 3 || read_time(words[2], action);
+            case Takes::holder:
+                action.index = reader_.name(words[1], Role::holder);
+                return true;
             case Takes::timer:
             case Takes::timer_and_maybe_time:
                 if (!read_timer(words[1], action)) return false;

@@ -37,8 +37,10 @@ void write_texts(Canvas& canvas, const View& view) {
         write_numbers(canvas, view);
     else
         write_labels(canvas, view);
-    write_board_labels(canvas, view);
-    write_insert_names(canvas, view);
+    if (view.options.board_texts) {
+        write_board_labels(canvas, view);
+        write_insert_names(canvas, view);
+    }
     write_scale(canvas, view);
     write_annotations(canvas, view);
 }
@@ -81,6 +83,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     // A cloud extends beyond its balls, and would hide the walls that they rest on.
     if (!annotations.copies.empty()) paint_cloud(raster, view);
     paint_edges(raster, view, Level::board);
+    paint_small_holes(raster, view);
     paint_hinges(raster, view);
     paint_lit_edges(raster, view);
     const bool shows_balls = annotations.copies.empty();

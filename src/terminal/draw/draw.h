@@ -45,7 +45,8 @@ struct ViewOptions {
     BallStyle ball_style = BallStyle::filled;
     Labels labels = Labels::automatic;
     bool trails = false;
-    bool counters = true;  ///< numbers over bins
+    bool counters = true;     ///< numbers over bins
+    bool board_texts = true;  ///< the labels of the board, and the names of its lights
     OverlaySet overlays;
 
     Look look;

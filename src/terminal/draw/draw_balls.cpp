@@ -108,6 +108,16 @@ void paint_heading(Raster& raster, RasterPoint center, double radius, Vec2 veloc
 
 // Balls look like spheres where pixels show it and there are few enough to look at each.
 constexpr std::size_t most_lit_balls = 250;
+// The least diameter, in pixels. On smaller balls that move, a highlight costs as many bytes as the
+// rest of the ball. The few balls of pool and pinball have one from three pixels on.
+constexpr double least_lit = 5.0;
+
+bool is_lit(const View& view, std::size_t ball) {
+    if (!view.options.look.has_shades() || view.world.balls().size() > most_lit_balls) return false;
+    const double diameter = 2.0 * view.world.balls().radius[ball] * view.camera.columns_per_length;
+    return view.annotations.pool || view.annotations.table ||
+           diameter * renderer_in_force(view.options).across >= least_lit;
+}
 
 BallPaint ball_paint(const View& view, std::size_t ball) {
     const Look& look = view.options.look;
@@ -115,7 +125,7 @@ BallPaint ball_paint(const View& view, std::size_t ball) {
     paint.tones = tones_of(view.inks[ball].color, look);
     paint.number_width = number_width(view, ball);
     paint.attributes = view.inks[ball].attributes;
-    paint.is_lit = look.has_shades() && view.world.balls().size() <= most_lit_balls;
+    paint.is_lit = is_lit(view, ball);
     if (is_striped(view, ball)) {
         paint.band = paint.tones;
         paint.tones = tones_of(ink_of(Role::stripe_white, look).color, look);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "level/text/utf8.h"
@@ -43,18 +44,26 @@ void paint_cradles(Raster& raster, const View& view) {
         std::size_t last = first;
         while (last + 1 < strings.size() && !strings[last + 1].is_first)
             ++last;
+        const Vec2 span = strings[last].pivot - strings[first].pivot;
+        const Vec2 along = length(span) > 0.0 ? span / length(span) : Vec2{1.0, 0.0};
         double radius = 0.0;
+        double swing = 0.0;  // how far the balls that move at the start were pulled aside
         for (std::size_t i = first; i <= last; ++i) {
             const auto ball = index_of(view.world, BallId{strings[i].ball});
             if (!ball) continue;
             radius = std::max(radius, view.world.balls().radius[*ball]);
-            raster.line(at(strings[i].pivot), at(view.world.balls().position[*ball]), line, thin);
+            const Vec2 place = view.world.balls().position[*ball];
+            const double moved = dot(place - strings[i].pivot, along);
+            raster.line(at(strings[i].pivot + along * moved), at(place), line, thin);
+            const World& start = view.scene.world;
+            if (const auto began = index_of(start, BallId{strings[i].ball}))
+                swing = std::max(
+                    swing, std::abs(dot(start.balls().position[*began] - strings[i].pivot, along)));
         }
-        // The bar reaches a ball further than the outer strings.
-        const Vec2 span = strings[last].pivot - strings[first].pivot;
-        const Vec2 along = length(span) > 0.0 ? span / length(span) : Vec2{1.0, 0.0};
-        raster.capsule(at(strings[first].pivot - along * (2.0 * radius)),
-                       at(strings[last].pivot + along * (2.0 * radius)),
+        // The bar reaches as far as the walls that send the balls back: twice the swing.
+        const double reach = std::max(2.0 * swing, 2.0 * radius);
+        raster.capsule(at(strings[first].pivot - along * reach),
+                       at(strings[last].pivot + along * reach),
                        0.25 * radius * view.camera.columns_per_length, {bar, 255, '='});
         first = last + 1;
     }

@@ -61,6 +61,8 @@ void paint_overlays_below(Raster& raster, const View& view);
 void paint_overlays_above(Raster& raster, const View& view);
 /// Pockets, diamonds, head string and spots.
 void paint_pool_table(Raster& raster, const View& view, const Board& board);
+/// Again, over the cushions: they would cover holes that are smaller than a pixel.
+void paint_small_holes(Raster& raster, const View& view);
 /// Whether the zone is a pocket that paint_pool_table draws.
 bool paints_pocket(const Raster& raster, const View& view, std::size_t zone);
 /// The border of a torus, where there is something to be seen beyond it.

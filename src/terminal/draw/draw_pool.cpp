@@ -220,7 +220,9 @@ int number_width(const View& view, std::size_t ball) {
     const Renderer& renderer = renderer_in_force(view.options);
     const bool is_round = renderer.has_pixels() && diameter * renderer.across >= least_round;
     if (is_round && diameter < width + margin) return 0;
-    return covers_another(view, ball, width) ? 0 : width;
+    // As wide as the widest, so that a rack has all of its numbers or none.
+    constexpr int widest = 2;
+    return covers_another(view, ball, std::max(width, widest)) ? 0 : width;
 }
 
 void write_numbers(Canvas& canvas, const View& view) {

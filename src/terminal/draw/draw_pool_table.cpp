@@ -16,17 +16,25 @@ constexpr Rgb24 diamond_color = 0xe9dfc4;
 constexpr Rgb24 chalk_color = 0x7fb697;  // on green cloth: a mixture of both
 constexpr double leather_share = 0.94;   // of the pocket's radius
 
+// The radius of a hole as it is drawn, in columns: a smaller one would be lost between pixels.
+constexpr double least_hole = 0.75;
+
+void paint_hole(Raster& raster, const View& view, const Capsule& pocket) {
+    const double radius = hole_share * pocket.radius * view.camera.columns_per_length;
+    const Brush brush{.ink = dress_ink(hole_color, view.options.look),
+                      .is_crisp = radius < 2.0 * least_hole};
+    raster.disc(to_raster(view.camera, pocket.start), std::max(radius, least_hole), 0.0, brush);
+}
+
 void paint_pockets(Raster& raster, const View& view) {
     const Look& look = view.options.look;
-    const Ink hole = dress_ink(hole_color, look);
     const Ink leather = dress_ink(leather_color, look);
     for (const std::uint32_t pocket : view.scene.pool.pockets) {
         const Capsule& shape = view.world.zones()[pocket].shape;
         const RasterPoint at = to_raster(view.camera, shape.start);
         const double radius = shape.radius * view.camera.columns_per_length;
         raster.disc(at, leather_share * radius, 0.0, {leather, 255, '\0'});
-        const double seen = 0.75;  // columns: a smaller hole would be lost between pixels
-        raster.disc(at, std::max(hole_share * radius, seen), 0.0, {hole, 255, '\0'});
+        paint_hole(raster, view, shape);
     }
 }
 
@@ -131,6 +139,15 @@ bool paints_tables(const Raster& raster, const View& view) {
 
 bool paints_pocket(const Raster& raster, const View& view, std::size_t zone) {
     return paints_tables(raster, view) && std::ranges::count(view.scene.pool.pockets, zone) > 0;
+}
+
+void paint_small_holes(Raster& raster, const View& view) {
+    if (!paints_tables(raster, view)) return;
+    for (const std::uint32_t pocket : view.scene.pool.pockets) {
+        const Capsule& shape = view.world.zones()[pocket].shape;
+        if (hole_share * shape.radius * view.camera.columns_per_length < least_hole)
+            paint_hole(raster, view, shape);
+    }
 }
 
 void paint_pool_table(Raster& raster, const View& view, const Board& board) {

@@ -48,9 +48,13 @@ void paint_bumper(Raster& raster, const View& view, const TableLight& light) {
     constexpr std::uint8_t full = 255;
     constexpr std::uint8_t halo = 70;
     if (light.is_lit) raster.disc(at, 1.5 * radius, 0.0, {{tones.light, plain}, halo, '\0'});
+    // Cells of two colours have no room for a skirt: it would leave corners around the cap.
+    constexpr double least_skirt = 4.0;  // columns
+    const Color cap = light.is_lit ? tones.glint : tones.base;
+    if (raster.renderer().mosaic != Mosaic::halves && radius < least_skirt)
+        return raster.ball(at, radius, {.tones = {cap, cap, cap, cap}});
     raster.disc(at, radius, 0.0, {dress_ink(skirt_color, look), full, '\0'});
-    raster.disc(at, 0.82 * radius, 0.0,
-                {{light.is_lit ? tones.glint : tones.base, plain}, full, '\0'});
+    raster.disc(at, 0.82 * radius, 0.0, {{cap, plain}, full, '\0'});
     raster.disc({at.x - 0.2 * radius, at.y - 0.2 * radius}, 0.35 * radius, 0.0,
                 {{light.is_lit ? tones.glint : tones.light, plain}, full, '\0'});
 }

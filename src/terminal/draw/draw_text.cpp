@@ -14,7 +14,7 @@ namespace carom {
 namespace {
 
 // Numbers over neighbouring bins may be staggered over this many rows.
-constexpr int most_stagger = 3;
+constexpr std::size_t most_stagger = 3;
 
 bool is_within(const CellArea& area, int column, int row) {
     return column >= area.column && column < area.column + area.columns && row >= area.row &&
@@ -139,34 +139,70 @@ void write_coordinates(Canvas& canvas, const View& view) {
     });
 }
 
-void write_counters(Canvas& canvas, const View& view) {
-    if (view.world.zones().empty()) return;
+namespace {
+
+// The number over a bin.
+struct Counter {
+    int row = 0;
+    int first = 0;  // column
+    int width = 0;
+    std::string text;  // empty for an empty bin, which keeps its place among its neighbours
+};
+
+std::vector<Counter> counters_of(const View& view) {
+    std::vector<Counter> counters;
     const std::vector<std::uint64_t> counts = census(view.world);
-    const Ink ink = ink_of(Role::counter, view.options.look);
-    const CellArea& area = view.camera.area;
-    // The column where the last number in each row of the stagger ends.
-    std::array<int, most_stagger> taken{};
-    std::array<int, most_stagger> row_taken{};
-    taken.fill(area.column - 1);
-    row_taken.fill(-1);
     for (const Zone& zone : view.world.zones()) {
         if (zone.counter >= counts.size()) continue;
         const Box box = bounds(zone.shape);
         const auto at = cell_of(view.camera, {center(box).x, box.high.y});
-        if (!at || counts[zone.counter] == 0) continue;
-        const std::string text = short_count(counts[zone.counter]);
-        const int width = static_cast<int>(text.size());
-        const int column = at->column - (width - 1) / 2;
-        for (int up = 0; up < most_stagger; ++up) {
-            const auto slot = static_cast<std::size_t>(up);
-            const int row = std::max(area.row, at->row - 1) - up;
-            if (row < area.row) break;
-            if (row_taken[slot] == row && column <= taken[slot]) continue;
-            write_within(canvas, area, {column, row}, text, ink);
-            row_taken[slot] = row;
-            taken[slot] = column + width;
-            break;
+        if (!at) continue;
+        const std::uint64_t count = counts[zone.counter];
+        Counter counter;
+        counter.text = count > 0 ? short_count(count) : "";
+        counter.width = static_cast<int>(counter.text.size());
+        counter.row = std::max(view.camera.area.row, at->row - 1);
+        counter.first = at->column - (counter.width - 1) / 2;
+        counters.push_back(std::move(counter));
+    }
+    std::ranges::stable_sort(counters, {},
+                             [](const Counter& it) { return std::pair(it.row, it.first); });
+    return counters;
+}
+
+// Over how many rows the numbers must take turns so that none touches the next in its row.
+std::size_t rows_to_take_turns(std::span<const Counter> counters) {
+    for (std::size_t rows = 1; rows < most_stagger; ++rows) {
+        bool fits = true;
+        for (std::size_t i = 0; i + rows < counters.size(); ++i) {
+            const Counter& next = counters[i + rows];
+            fits &= next.text.empty() || counters[i].text.empty() ||
+                    counters[i].first + counters[i].width < next.first;
         }
+        if (fits) return rows;
+    }
+    return most_stagger;
+}
+
+}  // namespace
+
+void write_counters(Canvas& canvas, const View& view) {
+    if (view.world.zones().empty()) return;
+    const Ink ink = ink_of(Role::counter, view.options.look);
+    const CellArea& area = view.camera.area;
+    const std::vector<Counter> counters = counters_of(view);
+    for (std::size_t first = 0; first < counters.size();) {
+        std::size_t last = first;
+        while (last < counters.size() && counters[last].row == counters[first].row)
+            ++last;
+        const std::span row(&counters[first], last - first);
+        const std::size_t rows = rows_to_take_turns(row);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const int up = static_cast<int>(i % rows);
+            if (row[i].row - up >= area.row)
+                write_within(canvas, area, {row[i].first, row[i].row - up}, row[i].text, ink);
+        }
+        first = last;
     }
 }
 

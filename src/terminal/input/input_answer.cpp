@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <string>
 
 namespace carom {
 namespace {
@@ -24,6 +25,13 @@ std::optional<Answer> answer_in(const ControlSequence& sequence) {
     using enum Answer::Kind;
     Answer answer;
     if (sequence.prefix == '?' && sequence.final == 'c') return answer;
+    // VTE before 0.76 tells its version only here, as in "> 65 ; 7006 ; 1".
+    constexpr int vte = 65;
+    if (sequence.prefix == '>' && sequence.final == 'c' && sequence.number(0) == vte) {
+        answer.kind = version;
+        answer.text = "vte(" + std::to_string(sequence.number(1)) + ")";
+        return answer;
+    }
     if (sequence.prefix == '?' && sequence.final == 'u') {
         answer.kind = key_flags;
         return answer;
@@ -105,6 +113,7 @@ std::string capability_questions(bool passes_strings_on) {
         "\033[?1016$p"
         "\033[16t"
         "\033[?u"
+        "\033[>c"
         "\033[>q";
     if (!passes_strings_on) {
         questions +=

@@ -19,7 +19,7 @@ struct Answer {
         cell_size,   ///< to CSI 16 t
         key_flags,   ///< to CSI ? u: the terminal supports the kitty keyboard protocol
         background,  ///< to OSC 11 ; ?
-        version,     ///< XTVERSION, to CSI > q: which terminal it is
+        version,     ///< XTVERSION, to CSI > q, or DA2, to CSI > c: which terminal it is
         colors       ///< by DECRQSS of a style that was just set, or by XTGETTCAP of RGB and Tc
     };
     Kind kind = Kind::attributes;

@@ -79,6 +79,19 @@ TEST_CASE("typing searches names and titles") {
     CHECK(visitor.selected() == "gas");
 }
 
+TEST_CASE("typing searches what is said about a level too") {
+    std::vector<MenuItem> items{{"plain", "Plain", "Play", "/l/plain.level", "Nothing special"},
+                                {"table", "Table", "Play", "/l/table.level", "Two jackpots"}};
+    Menu menu(items, [](const std::string&) { return LoadedLevel{}; });
+    for (const char letter : std::string("jackpot")) {
+        InputEvent event;
+        event.key = static_cast<char32_t>(letter);
+        menu.handle(event);
+    }
+    REQUIRE(menu.shown().size() == 1);
+    CHECK(menu.shown().front()->name == "table");
+}
+
 TEST_CASE("left and right open the groups, and one's own is there even while it is empty") {
     Visitor visitor;
     CHECK(visitor.selected() == "balls");

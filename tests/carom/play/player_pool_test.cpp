@@ -385,7 +385,7 @@ TEST_CASE("the clock is shown, its last seconds are announced, and its end passe
     person.key(U' ');
     pass(4.1);
     CHECK(person.sees("player 2 breaks"));
-    CHECK(person.sees("foul: the time is up"));
+    CHECK(person.sees("Foul: the time is up."));
     CHECK(person.play().shots == 0);
 }
 

@@ -17,7 +17,7 @@ using namespace carom;
 
 namespace {
 
-const std::string tables[] = {"three-bumpers", "cable-car", "night-vault"};
+const std::vector<std::string> tables = test::pinball_tables();
 
 /// A shipped table with its first ball on the plunger.
 struct Table {

@@ -1,5 +1,6 @@
 #include "game/support/shipped.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -22,6 +23,17 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::vector<std::string> pinball_tables() {
+    const auto folder = std::filesystem::path(CAROM_SOURCE_DIR) / "levels";
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(folder))
+        if (file.path().extension() == ".level" &&
+            text_of(file.path()).find("\ngame pinball") != std::string::npos)
+            names.push_back(file.path().stem().string());
+    std::ranges::sort(names);
+    return names;
+}
 
 Scene shipped_level(const std::string& name, std::vector<std::string> overrides) {
     const auto folder = std::filesystem::path(CAROM_SOURCE_DIR) / "levels";

@@ -8,6 +8,9 @@
 
 namespace carom::test {
 
+/// The names of all levels that ship and are games of pinball, in alphabetical order.
+std::vector<std::string> pinball_tables();
+
 /// Loads a shipped level by name: "eight-ball". `overrides`: statements of --set.
 Scene shipped_level(const std::string& name, std::vector<std::string> overrides = {});
 

@@ -5,11 +5,14 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "game/ai/demo_player.h"
 #include "game/pinball/pinball.h"
 #include "game/session/game_state.h"
+#include "game/support/shipped.h"
 #include "lab/support/first_timer.h"
 #include "level/load.h"
 
@@ -17,7 +20,7 @@ using namespace carom;
 
 namespace {
 
-constexpr std::string_view tables[] = {"three-bumpers", "cable-car", "night-vault"};
+const std::vector<std::string> tables = test::pinball_tables();
 
 Scene shipped(std::string_view table, std::string_view folder = "/levels/") {
     std::stringstream text;
@@ -87,7 +90,7 @@ TEST_CASE("the shipped tables lose no ball: none stuck, none outside, all of the
 #else
     constexpr std::uint64_t balls = 4;  // with sanitizers, which are ten times slower
 #endif
-    for (const std::string_view table : tables)
+    for (const std::string& table : tables)
         check_first_timer(table, balls);
 }
 
@@ -95,7 +98,7 @@ TEST_CASE("the shipped tables lose no ball: none stuck, none outside, all of the
 TEST_CASE("a first-timer's ball lasts a while, and the demonstration player keeps it and aims") {
 #ifdef NDEBUG
     constexpr std::uint64_t balls = 20;
-    for (const std::string_view table : tables) {
+    for (const std::string& table : tables) {
         const PinballGames first = check_first_timer(table, balls);
         CHECK(mean_ball_time(first) > 25.0);
         CHECK(mean_ball_time(first) < 120.0);
@@ -111,7 +114,7 @@ TEST_CASE("a first-timer's ball lasts a while, and the demonstration player keep
 
 // Nobody touches a flipper.
 TEST_CASE("no launch that reaches the table drains at once") {
-    for (const std::string_view table : tables) {
+    for (const std::string& table : tables) {
         CAPTURE(table);
         const Scene scene = shipped(table);
         for (int pull = 10; pull <= 20; ++pull) {
@@ -185,7 +188,7 @@ TEST_CASE("games are summarised in totals and histograms") {
 
 // With CAROM_PINBALL_FIGURES=FILE it writes its results there, and CAROM_BALLS sets the number of
 // balls on each table: scripts/update pinball. CAROM_TABLE plays only that table, CAROM_SEED from
-// another seed.
+// another seed, CAROM_PLAYER=first or demo with that player alone, the latter for CAROM_SECONDS.
 TEST_SUITE("long") {
     TEST_CASE("10,000 balls on each table, none stuck, none lost") {
         const char* const wanted = std::getenv("CAROM_BALLS");
@@ -195,8 +198,11 @@ TEST_SUITE("long") {
         const std::uint64_t seed = wanted_seed ? std::strtoull(wanted_seed, nullptr, 10) : 0;
         const std::uint64_t balls = wanted ? std::strtoull(wanted, nullptr, 10) : 10'000;
         // A demonstration player's ball may last for an hour.
-        constexpr double seconds = 20'000.0;
-        for (const std::string_view table : tables) {
+        const char* const wanted_seconds = std::getenv("CAROM_SECONDS");
+        const double seconds = wanted_seconds ? std::strtod(wanted_seconds, nullptr) : 20'000.0;
+        const char* const player = std::getenv("CAROM_PLAYER");
+        const auto plays = [&](std::string_view who) { return !player || player == who; };
+        for (const std::string& table : tables) {
             if (only && table != only) continue;
             const auto write = [&](std::string_view player, const PinballGames& games) {
                 if (file)
@@ -204,8 +210,9 @@ TEST_SUITE("long") {
                         << "\n## " << table << ", " << player << "\n\n```\n"
                         << pinball_games_text(games) << "```\n";
             };
-            write("first-timer", check_first_timer(table, balls, seed));
-            write("demonstration player", check_demo(table, balls, seconds, seed));
+            if (plays("first")) write("first-timer", check_first_timer(table, balls, seed));
+            if (plays("demo"))
+                write("demonstration player", check_demo(table, balls, seconds, seed));
         }
     }
 }

@@ -633,16 +633,18 @@ TEST_CASE("the position of a divergence is marked") {
 TEST_CASE("a cradle hangs from a bar by strings, which go with their balls") {
     Scene scene = table({{0.0, 0.0}, {30.0, 20.0}});
     const BallId left = put_ball(scene, {12.0, 6.0}, 1.5);
-    const BallId right = put_ball(scene, {21.0, 6.0}, 1.5);
-    scene.dress.strings = {{number(left), {12.0, 15.0}, true}, {number(right), {15.0, 15.0}}};
+    const BallId right = put_ball(scene, {21.5, 6.0}, 1.5);
+    scene.dress.strings = {{number(left), {12.0, 15.0}, true}, {number(right), {19.0, 15.0}}};
     Drawing drawing(30, 10);
     drawing.draw(scene, in(ascii_renderer()));
-    // Of its bar: the columns from 9 to 18 in the row around y = 15.
-    for (int column = 9; column < 18; ++column)
+    // Of its bar: the columns from 7 to 24, twice the swing beyond the pivots, around y = 15.
+    for (int column = 7; column < 24; ++column)
         CHECK(drawing.canvas.at(column, 2).glyph != U' ');
-    CHECK(drawing.canvas.at(7, 2).glyph == U' ');
-    CHECK(drawing.canvas.at(20, 2).glyph == U' ');
-    CHECK(drawing.canvas.at(12, 4).glyph != U' ');  // straight down
-    CHECK(drawing.canvas.at(21, 4).glyph == U' ');
-    CHECK(drawing.canvas.at(17, 4).glyph != U' ');  // to the ball that has moved
+    CHECK(drawing.canvas.at(5, 2).glyph == U' ');
+    CHECK(drawing.canvas.at(25, 2).glyph == U' ');
+    // Each straight down, also to the ball that has moved.
+    CHECK(drawing.canvas.at(12, 4).glyph != U' ');
+    CHECK(drawing.canvas.at(17, 4).glyph == U' ');
+    CHECK(drawing.canvas.at(19, 4).glyph == U' ');
+    CHECK(drawing.canvas.at(21, 4).glyph != U' ');
 }

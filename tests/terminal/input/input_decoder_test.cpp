@@ -286,7 +286,7 @@ TEST_CASE("answers are never keys, wherever they come and however they are split
         "\033P>|kitty(0.40.1)\033\\\033P1$r0;38:2::250:130:5m\033\\"
         "\033P1$r38;2;250;130;5m\033\\\033P1$r0;38:5:208m\033\\"
         "\033P1$r0m\033\\\033P0$r\033\\\033P1+r524742=382F382F38\033\\"
-        "\033P0+r5463\033\\";
+        "\033P0+r5463\033\\\033[>41;379;0c\033[>65;7006;1c";
     for (std::size_t cut = 0; cut <= answers.size(); ++cut) {
         InputDecoder decoder;
         DecodedInput first = decoder.feed(answers.substr(0, cut));
@@ -309,6 +309,7 @@ TEST_CASE("answers are never keys, wherever they come and however they are split
             {.kind = Answer::Kind::colors, .colors = 256},
             {.kind = Answer::Kind::colors},
             {.kind = Answer::Kind::colors, .colors = direct_colors},
+            {.kind = Answer::Kind::version, .text = "vte(7006)"},  // xterm's is no name
         };
         CHECK(first.answers == wanted);
     }
