@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/broad_phase/cell_frame.h"
+#include "physics/broad_phase/nearest_image.h"
 #include "physics/world/fingerprint.h"
 
 namespace carom {
@@ -23,8 +23,7 @@ std::optional<std::size_t> diverged_ball(const World& a, const World& b) {
         while (j < b.balls().size() && b.balls().id[j] < a.balls().id[i])
             ++j;
         if (j == b.balls().size() || b.balls().id[j] != a.balls().id[i]) continue;
-        Vec2 apart = a.balls().position[i] - b.balls().position[j];
-        if (a.model().wrap) apart = nearest_image(apart, size(*a.model().wrap));
+        const Vec2 apart = nearest_image(a, a.balls().position[i] - b.balls().position[j]);
         const double radii = length(apart) / a.balls().radius[i];
         if (radii <= most) continue;
         most = radii;

@@ -3,15 +3,10 @@
 #include <algorithm>
 
 #include "geometry/closest.h"
+#include "physics/broad_phase/nearest_image.h"
 
 namespace carom {
 namespace {
-
-/// The signed distance in (-span/2, span/2] that is equivalent to `d` on a circle of this length.
-double nearest_image(double d, double span) {
-    const double turns = std::floor(d / span + 0.5);
-    return d - turns * span;
-}
 
 /// Keeps the nearest of the candidates offered; the earlier one in a tie.
 template <typename T>
@@ -73,10 +68,7 @@ std::vector<Command> for_each_part(const World& world, const EdgeGrip& grip, Vec
 }  // namespace
 
 Vec2 offset(const World& world, Vec2 a, Vec2 b) {
-    const Vec2 straight = b - a;
-    if (!world.model().wrap) return straight;
-    const Vec2 span = size(*world.model().wrap);
-    return {nearest_image(straight.x, span.x), nearest_image(straight.y, span.y)};
+    return nearest_image(world, b - a);
 }
 
 std::optional<BallId> ball_at(const World& world, Vec2 point, double slack) {

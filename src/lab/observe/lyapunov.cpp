@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "physics/broad_phase/cell_frame.h"
+#include "physics/broad_phase/nearest_image.h"
 #include "physics/world/random.h"
 
 namespace carom {
@@ -62,11 +62,9 @@ void LyapunovMeter::set_twin(const World& world, double scale) {
 double LyapunovMeter::distance(const World& world) {
     const Balls& balls = world.balls();
     const Balls& others = twin_.balls();
-    const auto& torus = world.model().wrap;
     double sum = 0.0;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        Vec2 apart = others.position[i] - balls.position[i];
-        if (torus) apart = nearest_image(apart, size(*torus));
+        const Vec2 apart = nearest_image(world, others.position[i] - balls.position[i]);
         offsets_[i] = {apart, others.velocity[i] - balls.velocity[i]};
         sum += length_squared(apart);
     }

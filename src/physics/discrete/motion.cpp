@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "physics/broad_phase/cell_frame.h"
+#include "physics/broad_phase/nearest_image.h"
 #include "physics/world/solver_access.h"
 
 namespace carom {
@@ -140,9 +140,7 @@ void OverlapMotion::keep_time(World& world, std::span<const PushedBall> pushed_b
     for (const PushedBall& pushed : pushed_balls) {
         const std::uint32_t i = pushed.ball;
         if (!(pushed.intended > 0.0)) continue;
-        Vec2 displacement = balls.position[i] - pushed.origin;
-        if (world.model().wrap)
-            displacement = nearest_image(displacement, size(*world.model().wrap));
+        const Vec2 displacement = nearest_image(world, balls.position[i] - pushed.origin);
         const double covered = std::min(1.0, length(displacement) / pushed.intended);
         const double had = step_.is_first ? step_.duration : left_[i];
         const double left = had * (1.0 - covered);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "physics/broad_phase/nearest_image.h"
+
 namespace carom {
 
 // Once a tick every ball is checked; after that the longest displacements since add up.
@@ -49,8 +51,7 @@ void SharedNeighbours::update_after_notes(const World& world) {
 bool SharedNeighbours::has_edges_of(const World& world, const PushedBall& pushed) const {
     const Vec2 position = world.balls().position[pushed.ball];
     if (margin_ > 0.0) return list_.is_valid_for(pushed.ball, position);
-    Vec2 displacement = position - pushed.origin;
-    if (world.model().wrap) displacement = nearest_image(displacement, size(*world.model().wrap));
+    const Vec2 displacement = nearest_image(world, position - pushed.origin);
     const double margin = 0.999 * list_.edge_margin(world.balls().radius[pushed.ball]);
     return length_squared(displacement) <= margin * margin;
 }

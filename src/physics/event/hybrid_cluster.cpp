@@ -4,6 +4,7 @@
 #include <span>
 
 #include "geometry/closest.h"
+#include "physics/broad_phase/nearest_image.h"
 #include "physics/contact/contact_memory.h"
 #include "physics/event/motion/event_memory.h"
 #include "physics/laws/bounce.h"
@@ -16,7 +17,7 @@ Vec2 torus_of(const World& world) {
 }
 
 Vec2 displacement(const World& world, Vec2 from, Vec2 to) {
-    return world.model().wrap ? nearest_image(to - from, torus_of(world)) : to - from;
+    return nearest_image(world, to - from);
 }
 
 // All that the edge of a seesaw can touch, wherever it turns.

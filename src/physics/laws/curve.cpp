@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "physics/broad_phase/cell_frame.h"
+#include "physics/broad_phase/nearest_image.h"
 
 namespace carom {
 namespace {
@@ -79,7 +79,7 @@ std::optional<Vec2> normal_between(const Capsule& shape, const std::array<Vec2, 
 Vec2 seen_from(const World& world, const Capsule& edge, Vec2 place) {
     if (!world.model().wrap) return place;
     const Vec2 middle = (edge.start + edge.end) * 0.5;
-    return middle + nearest_image(place - middle, size(*world.model().wrap));
+    return middle + nearest_image(world, place - middle);
 }
 
 // Whether the ball comes from the other edge of the joint, straight along it.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/closest.h"
-#include "physics/broad_phase/cell_frame.h"
+#include "physics/broad_phase/nearest_image.h"
 #include "physics/world/columns.h"
 #include "physics/world/random.h"
 #include "physics/world/solver_access.h"
@@ -21,11 +21,9 @@ double jitter(const World& world, std::size_t emitter, std::uint32_t n, std::uin
 bool is_free(const World& world, ClassIndex kind, Vec2 place) {
     if (!world.model().ball_ball) return true;
     const double radius = world.kinds()[kind].radius;
-    const Vec2 torus = world.model().wrap ? size(*world.model().wrap) : Vec2{};
     const Balls& balls = world.balls();
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        Vec2 offset = balls.position[i] - place;
-        if (world.model().wrap) offset = nearest_image(offset, torus);
+        const Vec2 offset = nearest_image(world, balls.position[i] - place);
         const double reach = balls.radius[i] + radius;
         if (length_squared(offset) < reach * reach && kinds_meet(world, kind, balls.kind[i]))
             return false;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/closest.h"
 #include "physics/tick/kinematic.h"
+#include "physics/tick/overlap.h"
 #include "physics/tick/totals.h"
 
 namespace carom {
@@ -174,24 +174,10 @@ bool has_passed(const World& before, const World& after) {
     return false;
 }
 
-// Depth of the overlap of a ball with an edge, and with another ball, in radii of the smaller one.
-double overlap_with(const World& world, std::uint32_t ball, const Capsule& edge) {
-    const double radius = world.balls().radius[ball];
-    return -separation(Disc{world.balls().position[ball], radius}, edge) / radius;
-}
-
-double overlap_of(const World& world, std::uint32_t a, std::uint32_t b) {
-    const Balls& balls = world.balls();
-    Vec2 offset = balls.position[a] - balls.position[b];
-    if (world.model().wrap) offset = nearest_image(offset, size(*world.model().wrap));
-    return (balls.radius[a] + balls.radius[b] - length(offset)) /
-           std::min(balls.radius[a], balls.radius[b]);
-}
-
 }  // namespace
 
-// Calls visit(depth, a pair's depth in another world) for every pair that may overlap in `world`;
-// the second is a function of that world.
+// Calls visit(overlap_in) for every pair that may overlap in `world`. overlap_in(any) is the
+// relative overlap of that pair in any world.
 template <typename Visit>
 void HandStep::for_each_overlap(const World& world, Visit&& visit) {
     for (const HeldCapsule& held : world.held_capsules()) {
@@ -201,7 +187,7 @@ void HandStep::for_each_overlap(const World& world, Visit&& visit) {
         for (std::uint32_t i = 0; i < world.balls().size(); ++i)
             if (kind_meets_material(world, world.balls().kind[i], material))
                 visit([i, edge = *index](const World& any) {
-                    return overlap_with(any, i, any.capsules().shape[edge]);
+                    return relative_overlap(any, i, any.capsules().shape[edge]);
                 });
     }
     margin_.assign(world.balls().size(), 0.0);
@@ -210,14 +196,15 @@ void HandStep::for_each_overlap(const World& world, Visit&& visit) {
     for (const NearPair& pair : near_.pairs()) {
         const std::uint32_t a = order_[pair.a];
         if (pair.edge == NearPair::no_edge) {
-            visit([a, b = order_[pair.b]](const World& any) { return overlap_of(any, a, b); });
+            visit(
+                [a, b = order_[pair.b]](const World& any) { return relative_overlap(any, a, b); });
         } else if (!world.model().one_way || world.capsules().side[pair.edge] == Side::both) {
             visit([&, a](const World& any) {
                 Capsule edge = any.capsules().shape[pair.edge];
                 const Vec2 shift{pair.across * torus.x, pair.along * torus.y};
                 edge.start += shift;
                 edge.end += shift;
-                return overlap_with(any, a, edge);
+                return relative_overlap(any, a, edge);
             });
         }
     }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "geometry/closest.h"
-#include "physics/broad_phase/cell_frame.h"
+#include "physics/broad_phase/nearest_image.h"
 #include "physics/world/solver_access.h"
 
 namespace carom {
@@ -109,8 +109,7 @@ bool has_crossed(const Capsule& was, const Capsule& is, Vec2 from, Vec2 to) {
 }
 
 Vec2 displacement_to_target(const World& world, const HeldBall& held, Vec2 position) {
-    const Vec2 to_target = held.target - position;
-    return world.model().wrap ? nearest_image(to_target, size(*world.model().wrap)) : to_target;
+    return nearest_image(world, held.target - position);
 }
 
 void make_held_balls_immovable(const World& world, std::vector<double>& inverse_mass) {

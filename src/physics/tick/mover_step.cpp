@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "geometry/closest.h"
-#include "physics/broad_phase/cell_frame.h"
 #include "physics/laws/bounce.h"
 #include "physics/tick/kinematic.h"
+#include "physics/tick/overlap.h"
 
 namespace carom {
 namespace {
@@ -24,21 +24,6 @@ constexpr double most_squeeze = 0.02;
 constexpr double most_push = 4.0;
 // A ball that stands still after more impacts with movers in the tick is jammed.
 constexpr std::uint32_t most_hits = 16;
-
-double depth_of(const World& world, std::uint32_t ball, std::uint32_t capsule) {
-    const double radius = world.balls().radius[ball];
-    return -separation(Disc{world.balls().position[ball], radius},
-                       world.capsules().shape[capsule]) /
-           radius;
-}
-
-double depth_of_balls(const World& world, std::uint32_t a, std::uint32_t b) {
-    const Balls& balls = world.balls();
-    Vec2 offset = balls.position[a] - balls.position[b];
-    if (world.model().wrap) offset = nearest_image(offset, size(*world.model().wrap));
-    return (balls.radius[a] + balls.radius[b] - length(offset)) /
-           std::min(balls.radius[a], balls.radius[b]);
-}
 
 // Twice the energy of a ball's motion and rotation, divided by its mass.
 double square_of(const World& world, std::uint32_t ball) {
@@ -211,13 +196,14 @@ void MoverStep::check_overlaps(const Trial& trial) {
         const std::uint32_t a = contact.a;
         const std::uint32_t b = contact.b;
         if (contact.kind == ContactKind::ball_ball) {
-            if (is_pressed(contact, depth_of_balls(trial.before, a, b),
-                           depth_of_balls(trial.after, a, b)))
+            if (is_pressed(contact, relative_overlap(trial.before, a, b),
+                           relative_overlap(trial.after, a, b)))
                 blame(a);
             continue;
         }
         if (!is.side.empty() && is.side[b] != Side::both) continue;
-        if (is_pressed(contact, depth_of(trial.before, a, b), depth_of(trial.after, a, b)) ||
+        if (is_pressed(contact, relative_overlap(trial.before, a, was.shape[b]),
+                       relative_overlap(trial.after, a, is.shape[b])) ||
             (find(b) && has_crossed(was.shape[b], is.shape[b], trial.before.balls().position[a],
                                     trial.after.balls().position[a])))
             blame(a);

@@ -4,8 +4,8 @@
 
 #include "geometry/closest.h"
 #include "physics/broad_phase/capsule_cells.h"
-#include "physics/broad_phase/cell_frame.h"
 #include "physics/broad_phase/disc_grid.h"
+#include "physics/broad_phase/nearest_image.h"
 
 namespace carom {
 namespace {
@@ -79,14 +79,13 @@ namespace {
 
 double deepest_overlap_of_balls(const World& world) {
     const Balls& balls = world.balls();
-    const Vec2 torus = world.model().wrap ? size(*world.model().wrap) : Vec2{};
     DiscGrid grid;
     grid.build(balls.position, balls.radius, 0.0, world.model().wrap);
     double deepest = 0.0;
     grid.for_each_pair([&](std::uint32_t a, std::uint32_t b) {
         if (!kinds_meet(world, balls.kind[a], balls.kind[b])) return;
-        Vec2 offset = balls.position[std::min(a, b)] - balls.position[std::max(a, b)];
-        if (world.model().wrap) offset = nearest_image(offset, torus);
+        const Vec2 offset =
+            nearest_image(world, balls.position[std::min(a, b)] - balls.position[std::max(a, b)]);
         deepest = std::max(deepest, balls.radius[a] + balls.radius[b] - length(offset));
     });
     return deepest;
