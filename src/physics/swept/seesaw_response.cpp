@@ -18,6 +18,17 @@ double following(const Seesaw& seesaw, Vec2 position, Vec2 velocity, Vec2 normal
            (2.0 * dot(perpendicular(relative), normal) - seesaw.rate * dot(arm, normal));
 }
 
+Contact contact_of(const SweptEvent& event, Vec2 point, double approach, double impulse) {
+    return {.time = event.time,
+            .kind = ContactKind::ball_edge,
+            .a = event.ball,
+            .b = event.other,
+            .point = point,
+            .normal = event.normal,
+            .approach = approach,
+            .impulse = impulse};
+}
+
 }  // namespace
 
 // A ball whose flight after the bounce would lead back before the substep ends rests: what presses
@@ -80,14 +91,7 @@ SweptOutcome SweptResponse::collide_seesaw(World& world, const SweptEvent& event
     kinematics_.turn(event.other, seesaw, now);
     SweptOutcome outcome{.contact = {}, .has_changed_edge = true};
     if (approach > 0.0 && !is_held)
-        outcome.contact = Contact{.time = now,
-                                  .kind = ContactKind::ball_edge,
-                                  .a = ball,
-                                  .b = event.other,
-                                  .point = point,
-                                  .normal = normal,
-                                  .approach = approach,
-                                  .impulse = exchange.impulse};
+        outcome.contact = contact_of(event, point, approach, exchange.impulse);
     return outcome;
 }
 
