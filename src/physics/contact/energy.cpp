@@ -107,6 +107,13 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
         group.is_supported = true;
         group.stays = group.stays || pairs_[constraint.pair].is_kinematic;
     }
+    for (const std::uint32_t p : pairs_.kinematic()) {
+        const ContactPair& pair = pairs_[p];
+        if (!pair.is_hinged || pair.state != ContactState::constraint || !(pair.impulse > 0.0))
+            continue;
+        Group& group = groups_[group_of(pair.a)];
+        group.is_supported = group.stays = true;
+    }
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
         if (bodies_.is_kinematic(i)) continue;
         Group& group = groups_[group_of(i)];

@@ -22,9 +22,9 @@ namespace carom {
 /// and more slowly. Embedded balls keep what they have moved to the side, which costs no energy. So
 /// a heap keeps its overlaps while the store has no energy to open them.
 ///
-/// Impacts, kicks and kinematic bodies are not limited. A group that a kinematic body carries is
-/// not moved back, nor is one that would be moved into a ball that has followed it; so there the
-/// store may fall below the limit until later losses refill it.
+/// Impacts, kicks, kinematic bodies and seesaws are not limited. A group that one of these bodies
+/// carries is not moved back, nor is one that would be moved into a ball that has followed it; so
+/// there the store may fall below the limit until later losses refill it.
 class ContactEnergy {
   public:
     ContactEnergy(const ContactSubstep& step, ContactBodies& bodies, const ContactPairs& pairs)

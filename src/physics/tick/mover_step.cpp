@@ -44,6 +44,7 @@ MoverClock MoverStep::clock_of(const World& world, const Active& active) const {
 }
 
 bool MoverStep::begin(World& world) {
+    if (world.movers().empty() && active_.empty()) return false;
     active_.clear();
     edges_.clear();
     for (std::uint32_t m = 0; m < world.movers().size(); ++m) {
