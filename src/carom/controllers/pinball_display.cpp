@@ -312,6 +312,8 @@ void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const Pi
     for (const HighScore& score : scores.scores().lines)
         panel.high_scores.push_back({fmt::format("{}", ++rank), score.initials,
                                      grouped(score.score), scores.newest() == score});
+    if (session.scene().table.is_game && panel.high_scores.empty())
+        panel.high_scores.push_back({"", "none yet", "", false});
     draw_score_panel(canvas, panel_, panel, look);
 }
 

@@ -27,6 +27,8 @@ constexpr std::size_t most_notes = 3;
 
 /// The group of the levels in the current folder. It is there even while it is empty.
 constexpr std::string_view own_group = "Yours";
+/// Columns; narrower windows have a shorter last line.
+constexpr int least_long_footer = 54;
 /// The longest text to search for, bytes.
 constexpr std::size_t most_searched = 60;
 
@@ -309,7 +311,9 @@ MenuPage Menu::page() const {
                   .group = group_,
                   .selected = selected_,
                   .search = search_,
-                  .footer = "enter play   <- -> groups   type to search   q quit"};
+                  .footer = columns_ < least_long_footer
+                                ? "enter play  <- -> groups  q quit"
+                                : "enter play   <- -> groups   type to search   q quit"};
     if (!search_.empty()) page.footer = fmt::format("search: {}   esc clears", search_);
     for (const MenuItem* item : shown()) {
         MenuEntry entry{item->title, item->line, item->badge};
