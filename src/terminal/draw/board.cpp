@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/closest.h"
+#include "terminal/draw/board_rail.h"
 
 namespace carom {
 
@@ -17,35 +18,8 @@ constexpr double watertight = 0.75;
 // Widths of gaps that are closed if the flood reaches a ball, in radii of the ball.
 constexpr double gaps[] = {0.0, 1.0, 2.2, 4.0};
 
-struct Grid {
-    Box box;
-    double cell = 1.0;
-    int columns = 0;
-    int rows = 0;
-
-    std::size_t size() const {
-        return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-    }
-    std::size_t index(int column, int row) const {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-               static_cast<std::size_t>(column);
-    }
-    Vec2 middle(int column, int row) const {
-        return box.low + Vec2{(column + 0.5) * cell, (row + 0.5) * cell};
-    }
-    int column_of(double x) const {
-        return static_cast<int>(std::clamp((x - box.low.x) / cell, 0.0, columns - 1.0));
-    }
-    int row_of(double y) const {
-        return static_cast<int>(std::clamp((y - box.low.y) / cell, 0.0, rows - 1.0));
-    }
-    std::size_t index_of(Vec2 place) const { return index(column_of(place.x), row_of(place.y)); }
-};
-
-using Mask = std::vector<std::uint8_t>;
-
 // Marks the cells within `radius` of the spine.
-void mark(Mask& mask, const Grid& grid, const Capsule& shape, double radius) {
+void mark(CellMask& mask, const BoardGrid& grid, const Capsule& shape, double radius) {
     const Box box = grow(join({shape.start, shape.start}, {shape.end, shape.end}), radius);
     if (!overlaps(box, grid.box)) return;
     for (int row = grid.row_of(box.low.y); row <= grid.row_of(box.high.y); ++row)
@@ -58,9 +32,9 @@ void mark(Mask& mask, const Grid& grid, const Capsule& shape, double radius) {
 }
 
 // Cells that edges and sinks cover, each edge `more` thicker than it is. `one_way`: with gates.
-Mask walls_of(const Scene& scene, const Grid& grid, double more, bool one_way = true) {
+CellMask walls_of(const Scene& scene, const BoardGrid& grid, double more, bool one_way = true) {
     const Capsules& edges = scene.world.capsules();
-    Mask walls(grid.size(), 0);
+    CellMask walls(grid.size(), 0);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const std::size_t material = edges.material[i];
         const auto& layers = scene.dress.layers;
@@ -80,9 +54,9 @@ Mask walls_of(const Scene& scene, const Grid& grid, double more, bool one_way = 
 }
 
 // The cells that can be reached from `from` without entering a wall, within so many steps.
-Mask reached(const Grid& grid, const Mask& walls, std::vector<std::size_t> from,
-             int steps = std::numeric_limits<int>::max()) {
-    Mask reached(grid.size(), 0);
+CellMask reached(const BoardGrid& grid, const CellMask& walls, std::vector<std::size_t> from,
+                 int steps = std::numeric_limits<int>::max()) {
+    CellMask reached(grid.size(), 0);
     for (const std::size_t cell : from)
         reached[cell] = 1;
     const auto columns = static_cast<std::size_t>(grid.columns);
@@ -105,7 +79,7 @@ Mask reached(const Grid& grid, const Mask& walls, std::vector<std::size_t> from,
     return reached;
 }
 
-std::vector<std::size_t> border_of(const Grid& grid) {
+std::vector<std::size_t> border_of(const BoardGrid& grid) {
     std::vector<std::size_t> border;
     for (int column = 0; column < grid.columns; ++column)
         for (const int row : {0, grid.rows - 1})
@@ -116,7 +90,7 @@ std::vector<std::size_t> border_of(const Grid& grid) {
     return border;
 }
 
-std::vector<std::size_t> balls_of(const Scene& scene, const Grid& grid) {
+std::vector<std::size_t> balls_of(const Scene& scene, const BoardGrid& grid) {
     std::vector<std::size_t> cells;
     for (const Vec2 place : scene.world.balls().position)
         if (contains(grid.box, place)) cells.push_back(grid.index_of(place));
@@ -124,14 +98,14 @@ std::vector<std::size_t> balls_of(const Scene& scene, const Grid& grid) {
 }
 
 // The outside, without the gaps in the walls; empty if it cannot be told from the inside.
-Mask outside_of(const Scene& scene, const Grid& grid) {
+CellMask outside_of(const Scene& scene, const BoardGrid& grid) {
     const double radius =
         scene.world.balls().size() > 0 ? scene.world.balls().radius.front() : 2.0 * grid.cell;
     const std::vector<std::size_t> balls = balls_of(scene, grid);
     for (const double gap : gaps) {
         const double more = 0.5 * gap * radius;
-        const Mask thick = walls_of(scene, grid, more);
-        Mask outside = reached(grid, thick, border_of(grid));
+        const CellMask thick = walls_of(scene, grid, more);
+        CellMask outside = reached(grid, thick, border_of(grid));
         if (std::ranges::any_of(balls, [&](std::size_t cell) { return outside[cell] != 0; }))
             continue;
         if (std::ranges::none_of(outside, [](std::uint8_t cell) { return cell == 0; })) continue;
@@ -144,115 +118,6 @@ Mask outside_of(const Scene& scene, const Grid& grid) {
                        static_cast<int>(std::ceil(more / grid.cell)));
     }
     return {};
-}
-
-// The distance of each cell from the nearest one that is set, in cells, by steps to the eight
-// neighbours. A `diagonal` step counts less than it is long, so that corners come out squarer.
-std::vector<float> distance_from(const Grid& grid, const Mask& set, float diagonal = 1.2F) {
-    std::vector<float> distance(grid.size(), 1e9F);
-    for (std::size_t i = 0; i < set.size(); ++i)
-        if (set[i] != 0) distance[i] = 0.0F;
-    const auto relax = [&](int column, int row, int dx, int dy) {
-        if (column + dx < 0 || column + dx >= grid.columns || row + dy < 0 || row + dy >= grid.rows)
-            return;
-        float& mine = distance[grid.index(column, row)];
-        const float step = dx != 0 && dy != 0 ? diagonal : 1.0F;
-        mine = std::min(mine, distance[grid.index(column + dx, row + dy)] + step);
-    };
-    for (int row = 0; row < grid.rows; ++row)
-        for (int column = 0; column < grid.columns; ++column)
-            for (const auto& [dx, dy] : {std::pair{-1, 0}, {-1, -1}, {0, -1}, {1, -1}})
-                relax(column, row, dx, dy);
-    for (int row = grid.rows - 1; row >= 0; --row)
-        for (int column = grid.columns - 1; column >= 0; --column)
-            for (const auto& [dx, dy] : {std::pair{1, 0}, {1, 1}, {0, 1}, {-1, 1}})
-                relax(column, row, dx, dy);
-    return distance;
-}
-
-double widest_pocket(const Scene& scene) {
-    double radius = 0.0;
-    for (const std::uint32_t pocket : scene.pool.pockets)
-        radius = std::max(radius, scene.world.zones()[pocket].shape.radius);
-    return radius;
-}
-
-// Squares off the bed where a pocket bites into it: around each pocket, what lies beside a part of
-// the bed in its row and in its column becomes bed. So corners of the frame are not cut off.
-void fill_bites(Mask& bed, const Scene& scene, const Grid& grid) {
-    constexpr double reach = 4.0;  // radii of the pocket
-    for (const std::uint32_t pocket : scene.pool.pockets) {
-        const Capsule& shape = scene.world.zones()[pocket].shape;
-        const Box around = grow(Box{shape.start, shape.start}, reach * shape.radius);
-        const int left = grid.column_of(around.low.x);
-        const int right = grid.column_of(around.high.x);
-        const int top = grid.row_of(around.low.y);
-        const int bottom = grid.row_of(around.high.y);
-        std::vector<bool> has_in_column(static_cast<std::size_t>(right - left + 1));
-        std::vector<bool> has_in_row(static_cast<std::size_t>(bottom - top + 1));
-        const auto each_cell = [&](const auto& visit) {
-            for (int row = top; row <= bottom; ++row)
-                for (int column = left; column <= right; ++column)
-                    visit(bed[grid.index(column, row)], static_cast<std::size_t>(column - left),
-                          static_cast<std::size_t>(row - top));
-        };
-        each_cell([&](std::uint8_t cell, std::size_t column, std::size_t row) {
-            if (cell != 0) has_in_column[column] = has_in_row[row] = true;
-        });
-        each_cell([&](std::uint8_t& cell, std::size_t column, std::size_t row) {
-            if (has_in_column[column] && has_in_row[row]) cell = 1;
-        });
-    }
-}
-
-// The distance from the bed without the mouths of its pockets, so that the frame runs straight.
-std::vector<float> distance_from_bed(const Scene& scene, const Grid& grid, const Mask& bed) {
-    const double mouth = is_pool_table(scene) ? 1.7 * widest_pocket(scene) / grid.cell : 0.0;
-    if (mouth == 0.0) return distance_from(grid, bed);
-    Mask off_bed(grid.size());
-    for (std::size_t i = 0; i < bed.size(); ++i)
-        off_bed[i] = bed[i] == 0;
-    const std::vector<float> depth = distance_from(grid, off_bed);
-    Mask deep(grid.size());
-    for (std::size_t i = 0; i < bed.size(); ++i)
-        deep[i] = static_cast<double>(depth[i]) > mouth;
-    fill_bites(deep, scene, grid);
-    constexpr float square = 1.0F;
-    std::vector<float> far = distance_from(grid, deep, square);
-    for (float& distance : far)
-        distance = std::max(0.0F, distance - static_cast<float>(mouth));
-    return far;
-}
-
-// Widths of the rail and of its inner part, the cushion, length.
-struct RailWidths {
-    double rail = 0.0;
-    double cushion = 0.0;
-};
-RailWidths rail_widths(const Scene& scene) {
-    const Balls& balls = scene.world.balls();
-    const double radius = balls.size() > 0 ? balls.radius.front() : 0.0;
-    if (is_pool_table(scene)) {
-        const double pocket = widest_pocket(scene);
-        const double rail = pocket > 0.0 ? 2.2 * pocket : 4.5 * radius;
-        return {rail, 0.36 * rail};
-    }
-    if (!scene.table.is_empty()) return {1.4 * radius, 0.0};
-    const Vec2 extent = size(scene.view);
-    return {scene.dress.theme.rail ? 0.03 * std::max(extent.x, extent.y) : 0.0, 0.0};
-}
-
-// The width, in cells, of a rail that contains the jaws of the pockets: edges that lead off the
-// bed.
-double rail_around_jaws(const Scene& scene, const Grid& grid, const std::vector<float>& far,
-                        double rail) {
-    const double pocket = is_pool_table(scene) ? widest_pocket(scene) / grid.cell : 0.0;
-    if (pocket == 0.0) return rail;
-    double width = rail;
-    for (const Capsule& jaw : scene.world.capsules().shape)
-        for (const Vec2 end : {jaw.start, jaw.end})
-            width = std::max(width, static_cast<double>(far[grid.index_of(end)]) + 0.5 * pocket);
-    return std::min(width, 4.0 * pocket);
 }
 
 bool wants_board(const Scene& scene) {
@@ -279,19 +144,19 @@ void Board::flood(const Scene& scene) {
         box = join(box, bounds(shape));
     const double longest = std::max(size(box).x, size(box).y) + 2.0 * widths.rail;
     if (!std::isfinite(longest) || !(longest > 0.0)) return;
-    Grid grid;
+    BoardGrid grid;
     grid.cell = longest / most_cells;
     grid.box = grow(box, widths.rail + 4.0 * grid.cell);
     grid.columns = static_cast<int>(std::ceil(size(grid.box).x / grid.cell));
     grid.rows = static_cast<int>(std::ceil(size(grid.box).y / grid.cell));
 
-    const Mask outside = outside_of(scene, grid);
+    const CellMask outside = outside_of(scene, grid);
     if (outside.empty()) return;
     // The frame is measured from the bed: pockets lie within it.
-    Mask bed(grid.size(), 0);
+    CellMask bed(grid.size(), 0);
     for (std::size_t i = 0; i < bed.size(); ++i)
         bed[i] = outside[i] == 0;
-    Mask pockets(grid.size(), 0);
+    CellMask pockets(grid.size(), 0);
     for (const std::uint32_t pocket : scene.pool.pockets) {
         const Capsule& shape = scene.world.zones()[pocket].shape;
         mark(pockets, grid, shape, shape.radius);
@@ -303,8 +168,9 @@ void Board::flood(const Scene& scene) {
         static_cast<float>(rail_around_jaws(scene, grid, far, widths.rail / grid.cell));
     const auto cushion = static_cast<float>(widths.cushion / grid.cell);
     const bool has_plastics = !scene.table.is_empty();
-    const Mask walls = has_plastics ? walls_of(scene, grid, 0.0, false) : Mask(grid.size(), 0);
-    const Mask open = has_plastics ? reached(grid, walls, balls_of(scene, grid)) : walls;
+    const CellMask walls =
+        has_plastics ? walls_of(scene, grid, 0.0, false) : CellMask(grid.size(), 0);
+    const CellMask open = has_plastics ? reached(grid, walls, balls_of(scene, grid)) : walls;
 
     cells_.assign(grid.size(), Ground::none);
     Box frame{grid.box.high, grid.box.low};
