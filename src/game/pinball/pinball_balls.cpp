@@ -20,7 +20,7 @@ using Phase = PinballState::Phase;
 
 constexpr double launch_pause = 0.6;   // s from the serve of a ball to its automatic launch
 constexpr double counting_time = 2.5;  // s that the bonus is shown
-constexpr double lock_time = 0.5;      // s that a ball lies in a lock before it counts
+constexpr double lock_time = 0.5;  // s that a ball lies in a lock before it counts, and after it
 
 void begin_ball(Pinball game) {
     PinballState& state = game.state;
@@ -89,12 +89,25 @@ void end_ball(Pinball game) {
     state.phase_until = game.now() + game.ticks(counting_time);
 }
 
-// Since when the ball has been lying in this group of locks; none: it has not.
-std::optional<std::uint64_t> lying_since(Pinball game, std::uint32_t group, BallId ball) {
-    for (const PinballState::Lying& lying : game.state.lying)
-        if (lying.ball == ball && game.table().devices[lying.device].group == group)
-            return lying.since;
-    return std::nullopt;
+// Brings PinballState::lying up to date with the visits of this tick.
+void note_lying(Pinball game) {
+    const auto group = [&](std::uint32_t device) { return game.table().devices[device].group; };
+    std::vector<PinballState::Lying>& lying = game.state.lying;
+    for (const PinballState::Visit& visit : game.state.visits) {
+        if (game.table().devices[visit.device].kind != DeviceKind::lock) continue;
+        const auto known = std::ranges::find_if(lying, [&](const PinballState::Lying& ball) {
+            return ball.ball == visit.ball && group(ball.device) == group(visit.device);
+        });
+        if (known == lying.end()) {
+            lying.push_back({visit.device, visit.ball, game.now(), game.now(), false});
+        } else {
+            known->device = visit.device;
+            known->seen = game.now();
+        }
+    }
+    std::erase_if(lying, [&](const PinballState::Lying& ball) {
+        return game.now() > ball.seen + game.ticks(lock_time);
+    });
 }
 
 }  // namespace
@@ -102,32 +115,26 @@ std::optional<std::uint64_t> lying_since(Pinball game, std::uint32_t group, Ball
 void update_locks(Pinball game) {
     if (!game.table().has_locks) return;
     PinballState& state = game.state;
-    const std::uint64_t wait = game.ticks(lock_time);
-    std::vector<PinballState::Lying> lying;
+    note_lying(game);
     std::vector<std::uint32_t> holding;
-    std::vector<BallId> locked;
-    for (const PinballState::Visit& visit : state.visits) {
-        const Device& device = game.table().devices[visit.device];
-        if (device.kind != DeviceKind::lock) continue;
-        const std::uint64_t since =
-            lying_since(game, device.group, visit.ball).value_or(game.now());
-        lying.push_back({visit.device, visit.ball, since});
-        if (game.now() < since + wait) continue;
-        holding.push_back(visit.device);
-        locked.push_back(visit.ball);
+    state.locked.clear();
+    for (const PinballState::Lying& ball : state.lying) {
+        if (ball.seen < game.now() || game.now() < ball.since + game.ticks(lock_time)) continue;
+        holding.push_back(ball.device);
+        state.locked.push_back(ball.ball);
     }
     for (const PinballState::Held& held : state.held) {
         if (held.until != PinballState::keeps_until_released) continue;
         holding.push_back(held.device);
-        locked.push_back(held.ball);
+        state.locked.push_back(held.ball);
     }
-    std::ranges::sort(locked);
-    locked.erase(std::unique(locked.begin(), locked.end()), locked.end());
-    const std::vector<BallId> before = std::exchange(state.locked, locked);
-    state.lying = std::move(lying);
-    for (const PinballState::Lying& ball : state.lying)
-        if (game.now() >= ball.since + wait && !std::ranges::binary_search(before, ball.ball))
+    std::ranges::sort(state.locked);
+    state.locked.erase(std::unique(state.locked.begin(), state.locked.end()), state.locked.end());
+    for (PinballState::Lying& ball : state.lying) {
+        const bool is_locked = std::ranges::binary_search(state.locked, ball.ball);
+        if (is_locked && !std::exchange(ball.is_counted, true))
             apply_rules(game, ball.device, RuleEvent::enter);
+    }
     for (std::uint32_t device = 0; device < game.table().devices.size(); ++device)
         if (game.table().devices[device].kind == DeviceKind::lock ||
             game.table().devices[device].keeps)

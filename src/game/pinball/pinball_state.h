@@ -71,11 +71,14 @@ struct PinballState {
     static constexpr std::uint64_t keeps_until_released = ~std::uint64_t{0};
     std::vector<Held> held;
 
-    /// A ball that lies in a lock, or has just come into it.
+    /// A ball that lies in a lock, has just come into it, or has left it a moment ago: a nudge may
+    /// lift it, and it counts once.
     struct Lying {
         std::uint32_t device = 0;
         BallId ball{};
         std::uint64_t since = 0;
+        std::uint64_t seen = 0;   ///< the last tick in which it was there
+        bool is_counted = false;  ///< rules have been told that it is locked
     };
     std::vector<Lying> lying;
     std::vector<BallId> locked;  ///< balls on the table that are out of play, ascending

@@ -69,6 +69,7 @@ std::uint64_t digest_of(const World& world, const PinballState& s, int version) 
     for (const PinballState::Lying& ball : s.lying) {
         digest.add(std::uint64_t{ball.device} << 32 | number(ball.ball));
         digest.add(ball.since);
+        digest.add(ball.seen * 2 + (ball.is_counted ? 1 : 0));
     }
     for (const BallId ball : s.locked)
         digest.add(std::uint64_t{number(ball)});

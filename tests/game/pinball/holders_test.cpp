@@ -128,6 +128,11 @@ TEST_CASE("balls that come to rest on a post are locked, one after another, and 
     CHECK(is_lit(game, "bay"));
     CHECK_FALSE(is_lit(game, "bay", 1));
     CHECK(game.state().score == 10);
+    // A nudge lifts it, and it counts once.
+    game.world.edit_balls().velocity[0] = {0.0, 0.25};
+    game.run(1.5);
+    CHECK(is_lit(game, "bay"));
+    CHECK(game.state().score == 10);
     const Vec2 first = at(game, 0);
     CHECK(std::abs(first.y - 394.0) < 1.0);
     game.world.edit_balls().position[1] = Vec2{200, 450} * 0.001;
