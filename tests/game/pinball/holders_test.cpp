@@ -38,6 +38,7 @@ Vec2 at(const SmallTable& game, std::size_t ball = 0) {
 // A slope, with a well at (200, 400) in which two balls lie on a post.
 const std::string well =
     "use gravity 0,-1m/s2\n"
+    "edge 180,284 220,284\n"  // on which a ball that is served rests
     "edge 188,380 188,470\nedge 212,380 212,470\n"
     "post stop 188,384 212,384\n"
     "lock bay at=200,395 at=200,416 r=9\n";
