@@ -189,6 +189,25 @@ TEST_CASE("after a fill that does not fit none is tried") {
     CHECK(fills(999).operations < 2 * fills(10).operations);
 }
 
+// Regression: 235 MB, since all that a level has was made before its balls were compared.
+TEST_CASE("of a crowd of stated balls that overlap, the first overlap is reported, and no more") {
+    const auto crowd = [](const std::string& r, const std::string& more) {
+        std::string text = "kind k r=" + r + "\nmap cell=1 kind=k\n";
+        for (int row = 0; row < 330; ++row)
+            text += std::string(330, 'o') + '\n';
+        return load_lines(text + "end\n" + more);
+    };
+    CHECK(crowd("0.49", "").scene);
+    const LoadResult overlap = crowd("0.51", "");
+    check_refused(overlap, "the ball starts inside the ball");
+    CHECK(overlap.diagnostics.size() == 1);
+    CHECK(crowd("0.51", "use overlap\n").scene);
+    // Balls of very different sizes.
+    check_refused(crowd("0.49", "ball at=165,165 r=100\n"), "the ball starts inside the ball");
+    check_refused(crowd("0.49", "ball at=165.5,165.4 r=0.001\n"),
+                  "the ball starts inside the ball");
+}
+
 // Regression: a million balls were placed, in 2 seconds and 220 MB, before such an error was found.
 TEST_CASE("what can be refused without the balls of a fill is refused before they are placed") {
     const std::string fill = "fill count=999998 box=0,0,3300,3300 r=1\n";

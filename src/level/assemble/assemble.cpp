@@ -35,6 +35,10 @@ class Assembly {
         check_terms(context_);
         const std::size_t items = ir_.balls.size() + ir_.capsules.size();
         if (context_.reporter.has_errors() && items > most_checked_with_errors) return;
+        if (ir_.balls.size() > most_checked_with_errors && ir_.amendments.empty()) {
+            check_crowd(names_, context_);
+            if (context_.reporter.has_errors()) return;
+        }
         collect_stated_balls();
         if (items_to_come() > most_checked_with_errors && has_early_error()) return;
         add_fills();

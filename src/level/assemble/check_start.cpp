@@ -205,17 +205,13 @@ class StartCheck {
             const StartingBall& other = balls_[k];
             if (k == i || (k > i && at == ball.position)) return true;
             if (reported_.contains({i, k}) || reported_.contains({k, i})) return true;
-            const double gap = separation(disc, disc_of(other));
-            if (gap >= -rounding(at, disc.radius + other.radius)) return true;
+            const double depth = overlap_at_start(disc, disc_of(other));
+            if (!(depth > 0.0)) return true;
             if (!names_.kinds_collide(ball.kind, other.kind)) return true;
             reported_.emplace(i, k);
             const StartingBall& later = i > k ? ball : other;
             const StartingBall& earlier = i > k ? other : ball;
-            context_.reporter.error(
-                "ball-inside-ball", later.origin.span(),
-                fmt::format("the ball starts inside the ball of line {}, {} deep",
-                            earlier.origin.span().line, length_text(-gap, context_)),
-                "move one of them, or write 'use overlap'");
+            report_ball_inside_ball(later.origin, earlier.origin, depth, context_);
             return false;
         });
     }
@@ -230,6 +226,19 @@ class StartCheck {
 };
 
 }  // namespace
+
+double overlap_at_start(const Disc& disc, const Disc& other) {
+    const double depth = -separation(disc, other);
+    return depth > rounding(disc.center, disc.radius + other.radius) ? depth : 0.0;
+}
+
+void report_ball_inside_ball(const Origin& later, const Origin& earlier, double depth,
+                             Context& context) {
+    context.reporter.error("ball-inside-ball", later.span(),
+                           fmt::format("the ball starts inside the ball of line {}, {} deep",
+                                       earlier.span().line, length_text(depth, context)),
+                           "move one of them, or write 'use overlap'");
+}
 
 void check_terms(Context& context) {
     if (context.ir.needs_cloth && !context.ir.settings.cloth)

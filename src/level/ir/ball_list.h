@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "level/text/text.h"
@@ -51,6 +52,9 @@ class BallList {
     std::size_t size() const { return records_.size(); }
     bool empty() const { return records_.empty(); }
     BallIr operator[](std::size_t i) const;
+    Vec2 position(std::size_t i) const { return records_[i].position; }
+    /// The ball but for its position and origin, valid until the list changes.
+    const BallIr& shared_part(std::size_t i) const { return shared_[records_[i].shared]; }
 
     /// Returns whether it takes memory for more than a record: it shares nothing.
     bool push_back(const BallIr& ball);
@@ -63,7 +67,7 @@ class BallList {
         Origin origin;
         std::uint32_t shared = 0;  // index into shared_
     };
-    std::vector<Record> records_;
+    std::deque<Record> records_;              // a vector that grows needs memory for both copies
     std::vector<BallIr> shared_;              // but for position and origin
     std::vector<std::uint32_t> last_shared_;  // by binding: the last of its balls
 };
