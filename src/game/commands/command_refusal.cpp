@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "game/commands/command.h"
 #include "game/commands/picking.h"
 #include "geometry/closest.h"
+#include "physics/world/quantities.h"
 
 /// The commands that a world refuses, and why.
 namespace carom {
@@ -16,10 +16,6 @@ using Refusal = std::optional<std::string>;
 
 /// Bodies that overlap by less than this share of a ball's radius only touch.
 constexpr double touching = 1e-9;
-
-bool is_finite(Vec2 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y);
-}
 
 Refusal unless_ball(const World& world, BallId id) {
     if (index_of(world, id)) return std::nullopt;
@@ -40,9 +36,10 @@ Refusal unless_movable(const World& world, CapsuleId id) {
     return std::nullopt;
 }
 
-Refusal unless_finite(bool finite, std::string_view what) {
-    if (finite) return std::nullopt;
-    return fmt::format("{} is not a number", what);
+// Of a number or of a vector.
+Refusal unless_quantity(const auto& value, std::string_view what) {
+    if (is_quantity(value)) return std::nullopt;
+    return fmt::format("{} is out of range: quantities go up to 1e18", what);
 }
 
 /// The depth to which a ball overlaps an edge; negative: the distance between them.
@@ -126,7 +123,7 @@ Refusal blocked_by(const std::optional<Obstacle>& found) {
 
 Refusal refused(const World& world, const Strike& strike) {
     if (auto why = unless_ball(world, strike.ball)) return why;
-    if (auto why = unless_finite(is_finite(strike.velocity), "the speed")) return why;
+    if (auto why = unless_quantity(strike.velocity, "the speed")) return why;
     const double side = strike.side;
     const double follow = strike.follow;
     constexpr double most = Strike::most_offset;
@@ -139,7 +136,7 @@ Refusal refused(const World& world, const Strike& strike) {
 
 Refusal refused(const World& world, const HoldBall& hold) {
     if (auto why = unless_ball(world, hold.ball)) return why;
-    return unless_finite(is_finite(hold.target), "the place");
+    return unless_quantity(hold.target, "the place");
 }
 
 Refusal refused(const World& world, const DropBall& drop) {
@@ -149,7 +146,8 @@ Refusal refused(const World& world, const DropBall& drop) {
 
 Refusal refused(const World& world, const HoldCapsule& hold) {
     if (auto why = unless_movable(world, hold.capsule)) return why;
-    return unless_finite(is_finite(hold.start_target) && is_finite(hold.end_target), "the place");
+    if (auto why = unless_quantity(hold.start_target, "the place")) return why;
+    return unless_quantity(hold.end_target, "the place");
 }
 
 Refusal refused(const World& world, const DropCapsule& drop) {
@@ -164,12 +162,11 @@ Refusal refused(const World& world, const AddBall& add) {
     const double radius = spec.radius.value_or(world.kinds()[spec.kind].radius);
     const double mass = spec.mass.value_or(world.kinds()[spec.kind].mass);
     const double restitution = spec.restitution.value_or(world.kinds()[spec.kind].restitution);
-    if (auto why = unless_finite(is_finite(spec.position), "the place")) return why;
-    if (auto why = unless_finite(is_finite(spec.velocity), "the speed")) return why;
-    if (auto why = unless_finite(std::isfinite(spec.spin), "the spin")) return why;
-    if (!(radius > 0.0) || !std::isfinite(radius)) return "its radius must be positive";
-    if (!(mass > 0.0) || !std::isfinite(mass) || !std::isfinite(1.0 / mass))
-        return "its mass must be positive";
+    if (auto why = unless_quantity(spec.position, "the place")) return why;
+    if (auto why = unless_quantity(spec.velocity, "the speed")) return why;
+    if (auto why = unless_quantity(spec.spin, "the spin")) return why;
+    if (!is_positive_quantity(radius)) return "its radius must be in 1e-18..1e18";
+    if (!is_positive_quantity(mass)) return "its mass must be in 1e-18..1e18";
     if (!(restitution >= 0.0 && restitution <= 1.0)) return "its restitution must be in 0..1";
     return blocked_by(obstacle_of(world, add));
 }
@@ -180,14 +177,14 @@ Refusal refused(const World& world, const RemoveBall& remove) {
 
 Refusal refused(const World& world, const PlaceBall& place) {
     if (auto why = unless_ball(world, place.ball)) return why;
-    if (auto why = unless_finite(is_finite(place.position), "the place")) return why;
+    if (auto why = unless_quantity(place.position, "the place")) return why;
     return blocked_by(obstacle_of(world, place));
 }
 
 Refusal refused(const World& world, const PlaceCapsule& place) {
     if (auto why = unless_movable(world, place.capsule)) return why;
-    if (auto why = unless_finite(is_finite(place.start) && is_finite(place.end), "the place"))
-        return why;
+    if (auto why = unless_quantity(place.start, "the place")) return why;
+    if (auto why = unless_quantity(place.end, "the place")) return why;
     return blocked_by(obstacle_of(world, place));
 }
 
@@ -195,10 +192,10 @@ Refusal refused(const World& world, const AddCapsule& add) {
     const Capsule& edge = add.shape;
     if (add.material >= world.materials().size())
         return fmt::format("there is no material {}", add.material);
-    if (auto why = unless_finite(is_finite(edge.start) && is_finite(edge.end), "the place"))
-        return why;
-    if (!(edge.radius >= 0.0) || !std::isfinite(edge.radius))
-        return "its radius must not be negative";
+    if (auto why = unless_quantity(edge.start, "the place")) return why;
+    if (auto why = unless_quantity(edge.end, "the place")) return why;
+    if (!(edge.radius >= 0.0)) return "its radius must not be negative";
+    if (auto why = unless_quantity(edge.radius, "its radius")) return why;
     return blocked_by(obstacle_of(world, add));
 }
 
@@ -209,7 +206,7 @@ Refusal refused(const World& world, const RemoveCapsule& remove) {
 Refusal refused(const World& world, const SetGravity& set) {
     // As in a level: a cloth has gravity of its own, which presses balls on it.
     if (set.gravity && world.model().cloth) return "A table with a cloth is level";
-    return unless_finite(!set.gravity || is_finite(*set.gravity), "gravity");
+    return unless_quantity(set.gravity.value_or(Vec2{}), "gravity");
 }
 
 Refusal refused(const World& world, const SetSolver& set) {

@@ -11,13 +11,10 @@
 #include "geometry/elementary.h"
 #include "level/ir/bounds.h"
 #include "level/text/brackets.h"
+#include "physics/world/quantities.h"
 
 namespace carom {
 namespace {
-
-// Beyond these bounds, squares and fourth powers in the physics would overflow or underflow.
-constexpr double largest_quantity = 1e18;
-constexpr double smallest_positive = 1e-18;
 
 // The text of a label before its number: "r=", "rate ", or nothing.
 std::string lead_of(const Label& label) {
@@ -132,7 +129,7 @@ std::optional<double> bounded(const Word& word, double number, const Label& labe
     }
     const bool is_positive = bound == Bound::positive || bound == Bound::positive_unit_interval;
     const bool is_too_small = is_positive && number < smallest_positive;
-    if (std::abs(number) > largest_quantity || is_too_small) {
+    if (!is_quantity(number) || is_too_small) {
         context.reporter.error("number-out-of-range", word.span(),
                                fmt::format("{} is out of range: {}", subject, shown),
                                "quantities go from 1e-18 to 1e18");
