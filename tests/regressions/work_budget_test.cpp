@@ -110,3 +110,28 @@ TEST_CASE("event: balls of tiny inertia roll into one another without a runaway"
         CHECK(totals(world).energy() <= start);
     }
 }
+
+// Regression: at 1e18 a second the rounding of time is a length, so a ball left its box. Faster
+// ones did not end their tick; commands and levels now stop at 1e18 (world/quantities.h).
+TEST_CASE("event: time stands still for a ball that is too fast for the rounding of time") {
+    for (const double speed : {1e14, 1e18}) {
+        CAPTURE(speed);
+        World world = scenes::empty();
+        scenes::add_walls(world, {{0.0, 0.0}, {40.0, 40.0}});
+        add_ball(world, {.position = {10.0, 10.0}, .velocity = {0.0, speed}});
+        add_ball(world, {.position = {30.0, 30.0}, .velocity = {0.0, 1e6}});
+        const double start = totals(world).energy();
+        Solver solver({.kind = SolverKind::event});
+        for (int tick = 0; tick < 3; ++tick) {
+            CHECK(solver.tick(world) == TickOutcome::stood_still);
+            REQUIRE(solver.standing().size() == 1);
+            CHECK(solver.standing()[0] == BallId{0});
+            CHECK(world.balls().position[0] == Vec2{10.0, 10.0});
+            CHECK(world.balls().velocity[0] == Vec2{0.0, speed});
+            check_energy(world, start);
+        }
+        world.edit_balls().velocity[0] = {0.0, 10.0};
+        CHECK(solver.tick(world) == TickOutcome::done);
+        CHECK(world.balls().position[0].y > 10.0);
+    }
+}

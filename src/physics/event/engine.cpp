@@ -69,7 +69,8 @@ void EventEngine<Real>::begin(World& world, const std::function<bool()>& keep_go
     scene_.period = world.model().wrap ? size(*world.model().wrap) : Vec2{};
     scene_.now = Real(world.time());
     scene_.end = Real(static_cast<double>(world.tick() + 1) / world.rate());
-    switch (sync_.begin()) {
+    const auto begun = sync_.begin();
+    switch (begun) {
         case WorldSync<Real>::Begun::continued:
             break;
         case WorldSync<Real>::Begun::changed:
@@ -79,6 +80,24 @@ void EventEngine<Real>::begin(World& world, const std::function<bool()>& keep_go
         case WorldSync<Real>::Begun::rebuilt:
             cluster_.reset(balls_.size());
             predict_all();
+    }
+    // In uniform motion no speed grows between impacts.
+    if (begun != WorldSync<Real>::Begun::continued || !trajectories_.are_all_straight())
+        stop_untimed();
+}
+
+// Time stands still for balls that are too fast for the rounding of time.
+template <typename Real>
+void EventEngine<Real>::stop_untimed() {
+    const Balls& balls = scene_.world->balls();
+    const double rounding = precision<Real> * static_cast<double>(scene_.end);
+    const double most = most_untimed_travel / rounding;  // radii/s
+    for (std::uint32_t i = 0; i < balls.size() && !work_.is_cancelled(); ++i) {
+        const double limit = most * balls.radius[i];
+        if (dot(balls.velocity[i], balls.velocity[i]) <= limit * limit) continue;
+        if (balls_[i].line.motion == Motion::held) continue;
+        standstill_.stop(i);
+        predict(i);
     }
 }
 

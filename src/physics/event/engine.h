@@ -67,6 +67,7 @@ class EventEngine {
     void predict_all();
     Real end_of_events() const;
     bool turn_back_at_stop();
+    void stop_untimed();
     void charge(std::uint32_t ball, const BallEvent<Real>& event);
 
     EventScene<Real> scene_;

@@ -39,6 +39,7 @@ const std::vector<std::uint32_t>& Response<Real>::resolve(std::uint32_t ball,
     }
     correction_.apply(group_.lost());
     start_trajectories(record.touched);
+    note_sunk();
     for (const std::uint32_t each : changed_)
         rest_.settle(each);
     for (const std::uint32_t each : changed_)
@@ -116,6 +117,20 @@ void Response<Real>::start_trajectories(std::vector<std::uint8_t>& touched) {
         if (each.is_changed && each.was_resting) rest_.release_supported(each.ball, changed_);
     std::sort(changed_.begin(), changed_.end());
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+}
+
+// Pairs that sink in deeper than position correction has opened them.
+template <typename Real>
+void Response<Real>::note_sunk() {
+    const std::vector<ClusterBody<Real>>& bodies = cluster_.bodies();
+    for (const ContactPoint<Real>& point : cluster_.contacts()) {
+        const Real most = Real(most_sunk) * cluster_.smaller_radius(point);
+        if (point.kind != EventKind::ball_ball || !(point.gap < -most)) continue;
+        const ClusterBody<Real>& a = bodies[point.contact.a];
+        const ClusterBody<Real>& b = bodies[point.contact.b];
+        guard_.note_sunk(a.ball);
+        guard_.note_sunk(b.ball);
+    }
 }
 
 template class Response<double>;

@@ -68,6 +68,7 @@ class Response {
     bool run_rounds(std::vector<Contact>& contacts);
     void hold_frozen();
     void start_trajectories(std::vector<std::uint8_t>& touched);
+    void note_sunk();
 
     const EventScene<Real>& scene_;
     BallTable<Real>& balls_;

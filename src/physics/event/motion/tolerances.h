@@ -159,6 +159,13 @@ inline constexpr double overlap_heights = 0.5;
 inline constexpr double overlap_heights_on_cloth = 2.0;
 inline constexpr double most_correction = 0.5;
 
+/// Two balls that meet overlapping by more than this share of the smaller radius, after more than
+/// `sunk_collisions` in quick succession, are in a dense cluster: position correction cannot open
+/// them, as where walls and third balls bar them. x10: overlaps that `carom run --check` does not
+/// allow; /10: `contact` takes balls that events could part.
+inline constexpr double most_sunk = 5e-4;
+inline constexpr std::uint32_t sunk_collisions = dense_collisions / 4;
+
 /// Position correction takes at most this share of the kinetic energy of an impact's bodies at
 /// once, to pay for lifting them. x10: they stop within heaps, and meet at once again, without end;
 /// /10: deep overlaps open later.
@@ -175,6 +182,11 @@ inline constexpr double most_correction_into_ball = 1e-4;
 /// `iterations_per_unit` iterations of a search count as one event. Changes the result.
 inline constexpr WorkBudget::Allowance event_budget{.per_ball = 1'000};
 inline constexpr std::uint64_t iterations_per_unit = 32;
+
+/// How far a ball may go in the rounding of time, as a share of its radius: that is how wrong the
+/// place of an impact gets. Time stands still for faster balls (engine.cpp). x10: they overlap as
+/// `carom run --check` does not allow; /10: fast balls stand still, which would be right enough.
+inline constexpr double most_untimed_travel = 1e-4;
 
 /// The number of events between two polls of the cancellation token; for this count,
 /// `iterations_per_event` iterations of a search are an event.

@@ -44,19 +44,30 @@ void CollapseGuard<Real>::freeze_if_due(std::uint32_t ball, bool is_jammed) {
 }
 
 template <typename Real>
-void CollapseGuard<Real>::note_dense(std::uint32_t ball) {
+bool CollapseGuard<Real>::may_be_clustered(std::uint32_t ball) const {
     const Model& model = scene_.world->model();
-    if (!model.gravity || !model.inelastic || balls_[ball].line.motion == Motion::held) return;
-    dense_.push_back(ball);
+    return model.gravity && model.inelastic && balls_[ball].line.motion != Motion::held;
+}
+
+template <typename Real>
+void CollapseGuard<Real>::note_dense(std::uint32_t ball) {
+    if (may_be_clustered(ball)) dense_.push_back(ball);
+}
+
+template <typename Real>
+void CollapseGuard<Real>::note_sunk(std::uint32_t ball) {
+    if (may_be_clustered(ball) && balls_[ball].line.recent_collisions > sunk_collisions)
+        sunk_.push_back(ball);
 }
 
 template <typename Real>
 const std::vector<std::uint32_t>& CollapseGuard<Real>::dense() {
-    std::sort(dense_.begin(), dense_.end());
-    dense_.erase(std::unique(dense_.begin(), dense_.end()), dense_.end());
     std::erase_if(dense_, [&](std::uint32_t ball) {
         return !(balls_[ball].line.recent_collisions > dense_collisions);
     });
+    dense_.insert(dense_.end(), sunk_.begin(), sunk_.end());
+    std::sort(dense_.begin(), dense_.end());
+    dense_.erase(std::unique(dense_.begin(), dense_.end()), dense_.end());
     return dense_;
 }
 

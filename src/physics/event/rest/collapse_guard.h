@@ -42,7 +42,10 @@ class CollapseGuard {
                   Trajectories<Real>& trajectories)
         : scene_(scene), balls_(balls), trajectories_(trajectories) {}
 
-    void begin_tick() { dense_.clear(); }
+    void begin_tick() {
+        dense_.clear();
+        sunk_.clear();
+    }
 
     /// The count of a ball after an impact now; `before` is the trajectory that it ends, and
     /// `position` where it is.
@@ -60,18 +63,23 @@ class CollapseGuard {
                trajectory.support.kind == SupportId::Kind::nothing;
     }
 
+    /// At an impact the ball overlapped another one by more than `most_sunk`. After more than
+    /// `sunk_collisions` in quick succession, which have not opened it, it is in a dense cluster.
+    void note_sunk(std::uint32_t ball);
     /// An impact with another ball has left this count: the ball may be in a dense cluster.
     void note_dense(std::uint32_t ball);
     /// The balls that still are at the end of the tick, ascending. Valid until the next call.
     const std::vector<std::uint32_t>& dense();
 
   private:
+    bool may_be_clustered(std::uint32_t ball) const;
     Real fall_time(std::uint32_t ball) const;
 
     const EventScene<Real>& scene_;
     BallTable<Real>& balls_;
     Trajectories<Real>& trajectories_;
     std::vector<std::uint32_t> dense_;
+    std::vector<std::uint32_t> sunk_;
 };
 
 }  // namespace carom
