@@ -36,6 +36,12 @@ namespace carom {
 ///   5e-4 of its radius (driven_lift_height, laws/bounce.h).
 /// - `event`: balls that are lifted apart pay for it with what the impact took from them, and with
 ///   their speed.
+/// - `contact`: a small impulse no longer moves a ball off its parabola by g h^2 / 2, small balls
+/// get
+///   more substeps, and under drag impacts are on the chord. Balls that start inside others are hit
+///   by those that do not. Walls hold such balls, though another edge is one-way.
+/// - `event`: what sinks in deeper than position correction opens goes to `contact`. Time stands
+///   still for balls that are too fast for the rounding of time.
 /// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
 inline constexpr int physics_version = 3;
 

@@ -171,7 +171,8 @@ inline ContactState ContactClassification::state_of(const World& world,
             (pair.impulse > 0.0 || -dot(without_fall, pair.normal) < step_.rest_speed);
         if (approach >= step_.rest_speed && !stays && !is_enclosed(pair)) return ccd;
     }
-    if (terms.special() && world.model().one_way && pair.is_on_edge()) {
+    if (terms.special() && world.model().one_way && pair.is_on_edge() &&
+        world.capsules().side[pair.edge] != Side::both) {
         const bool engaged = pair.impulse > 0.0 || pair.separation > -0.5 * radius;
         if (!engaged ||
             !is_on_solid_side(world.capsules().shape[pair.edge], world.capsules().side[pair.edge],

@@ -99,6 +99,10 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
     for (const ContactConstraint& constraint : constraints)
         if (is_embedded(bodies_, pairs_[constraint.pair]))
             groups_[group_of(constraint.a)].is_embedded = true;
+    for (const ContactConstraint& constraint : constraints)
+        if (constraint.impulse > 0.0)
+            for (const std::uint32_t body : {constraint.a, constraint.b})
+                if (!bodies_.is_kinematic(body)) groups_[group_of(body)].is_pressed = true;
     for (const ContactConstraint& constraint : constraints) {
         const bool by_a = bodies_.is_kinematic(constraint.a);
         const bool by_b = bodies_.is_kinematic(constraint.b);
@@ -118,7 +122,8 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
         if (bodies_.is_kinematic(i)) continue;
         Group& group = groups_[group_of(i)];
         const double mass = 1.0 / bodies_.body[i].inverse_mass;
-        group.gain += gain_of(i);
+        // What impacts alone have given is not for the constraints to pay.
+        if (group.is_pressed) group.gain += gain_of(i);
         group.lift -= mass * dot(step_.gravity, bodies_.displacement[i]);
         group.kinetic += kinetic_energy_of(i);
         group.mass += mass;

@@ -52,6 +52,7 @@ class ContactEnergy {
         double kinetic = 0.0;
         double mass = 0.0;
         Vec2 momentum;
+        bool is_pressed = false;    ///< by a constraint
         bool is_supported = false;  ///< by a body that they cannot move
         bool stays = false;         ///< it may not be moved back
         bool is_embedded = false;   ///< has balls that are embedded

@@ -9,11 +9,24 @@
 
 namespace carom {
 
-// A ball that no impulse has changed flies on its exact path; any other one goes straight on.
+namespace {
+
+// Whether gravity moves the ball in a substep by more than what constraints correct easily.
+bool has_far_fall(const ContactSubstep& step, const ContactBodies& bodies, std::uint32_t ball) {
+    return step.fall > contact_tolerance::far_fall * bodies.radius[ball];
+}
+
+}  // namespace
+
+// A ball that no impulse has changed flies on its exact path. One that an impulse presses goes
+// straight on at its new velocity, which is g h^2 / 2 lower; else constraints would not hold it.
+// Where that is much, what lies between has a share of both, so that a small impulse moves a ball
+// by little, and never against itself.
 void ContactImpacts::find_displacements() {
     const Flight& flight = step_.flight;
     const Vec2 fall = step_.gravity * flight.velocity_per_gravity;
     const Vec2 drop = step_.gravity * flight.travel_per_gravity;
+    const double full = contact_tolerance::full_press * length(fall);
     escaped_.clear();
     double most = 0.0;
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
@@ -25,7 +38,13 @@ void ContactImpacts::find_displacements() {
             displacement = before * flight.travel_per_velocity + drop;
         } else {
             displacement = velocity * step_.duration;
-            most = std::max(most, length_squared(change));
+            const double press = length_squared(change);
+            most = std::max(most, press);
+            if (press < full * full && has_far_fall(step_, bodies_, i)) {
+                const Vec2 flown = before * flight.travel_per_velocity + drop;
+                const Vec2 pushed = flown + change * step_.duration;
+                displacement = pushed + (displacement - pushed) * (std::sqrt(press) / full);
+            }
         }
         const Vec2 away = bodies_.position[i] + displacement - bodies_.reference[i];
         if (length_squared(away) > bodies_.skin[i] * bodies_.skin[i]) escaped_.push_back(i);
@@ -192,7 +211,7 @@ std::optional<double> ContactImpacts::time_of_impact(const World& world, const C
     };
     std::optional<Impact> impact;
     if (bodies_.is_ball(pair.b)) {
-        if (!is_embedded_.empty() && (is_embedded_[pair.a] || is_embedded_[pair.b]))
+        if (!is_embedded_.empty() && is_embedded_[pair.a] && is_embedded_[pair.b])
             return std::nullopt;
         Vec2 offset = at - paths_.chord_position(pair.b, now);
         if (step_.wraps) offset = nearest_image(offset, step_.torus);

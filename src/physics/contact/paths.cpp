@@ -33,6 +33,7 @@ void ContactPaths::add(std::uint32_t body) {
     path.pull = (after.velocity - before) / step_.duration;
     path.is_free = after.velocity ==
                    before * step_.flight.decay + step_.gravity * step_.flight.velocity_per_gravity;
+    path.is_on_chord = step_.drag.has_value() || step_.fall > bodies_.radius[body];
 }
 
 void ContactPaths::add_around(std::uint32_t body) {
@@ -48,7 +49,7 @@ void ContactPaths::add_around(std::uint32_t body) {
 Vec2 ContactPaths::position_at(std::uint32_t body, double now) const {
     const ContactPath& path = (*this)[body];
     const double since = std::min(now, path.end) - path.chord.time;
-    if (!path.is_free) return path.chord.position + path.chord.velocity * since;
+    if (!path.is_on_parabola()) return path.chord.position + path.chord.velocity * since;
     return path.chord.position +
            travel(flight_over(step_.drag, since), path.velocity, step_.gravity);
 }
@@ -56,7 +57,7 @@ Vec2 ContactPaths::position_at(std::uint32_t body, double now) const {
 Vec2 ContactPaths::velocity_at(std::uint32_t body, double now) const {
     const ContactPath& path = (*this)[body];
     const double since = std::min(now, path.end) - path.chord.time;
-    if (!path.is_free) return path.velocity + path.pull * since;
+    if (!path.is_on_parabola()) return path.velocity + path.pull * since;
     return velocity_after(flight_over(step_.drag, since), path.velocity, step_.gravity);
 }
 
@@ -94,6 +95,10 @@ std::optional<double> ContactPaths::redirect(std::uint32_t body, double now, Vec
     const double left = step_.duration - now;
     path.is_free = true;
     path.chord.velocity = carom::chord_velocity(step_.drag, velocity, step_.gravity, left);
+    if (path.is_on_chord && left > 0.0)
+        path.pull =
+            (velocity_after(flight_over(step_.drag, left), velocity, step_.gravity) - velocity) *
+            (1.0 / left);
     path.end = step_.duration;
     return end_at_skin(body, now);
 }
@@ -154,14 +159,9 @@ void ContactPaths::freeze(std::uint32_t body, double now) {
     ContactPath& path = (*this)[body];
     note_given(path, now);
     const double since = std::min(now, path.end) - path.chord.time;
-    const Flight flight = flight_over(step_.drag, since);
-    if (path.is_free) {
-        path.chord.position += travel(flight, path.velocity, step_.gravity);
-        path.velocity = velocity_after(flight, path.velocity, step_.gravity);
-    } else {
-        path.chord.position += path.chord.velocity * since;
-        path.velocity += path.pull * since;
-    }
+    const Vec2 velocity = velocity_at(body, now);
+    path.chord.position = position_at(body, now);
+    path.velocity = velocity;
     path.surface_speed += path.turn * since;
     path.chord.velocity = path.pull = {};
     path.turn = 0.0;

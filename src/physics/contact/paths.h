@@ -14,8 +14,9 @@ namespace carom {
 
 /// The path of a ball in a substep that has impacts. After an impact, and where no constraint
 /// presses on it, the ball is free: it is on its parabola, while impacts are searched along the
-/// chord. Otherwise it moves along the chord itself, while its velocity changes at the constant
-/// rate `pull` and its surface speed at the rate `turn`. From `end` on it does not move.
+/// chord. Otherwise, and if `is_on_chord`, it moves along the chord itself, while its velocity
+/// changes at the constant rate `pull` and its surface speed at the rate `turn`. From `end` on it
+/// does not move.
 struct ContactPath {
     Chord chord;                 ///< to where it will be at the end; the parabola begins there too
     Vec2 velocity;               ///< at chord.time, length/s
@@ -29,10 +30,15 @@ struct ContactPath {
     /// Impacts with kinematic edges that moved towards it, and with held balls, moving or not.
     std::uint16_t pushes = 0;
     bool is_free = false;
+    /// It is on the chord even if it is free: under drag, and where the parabola is further from
+    /// the chord than walls are thick. Else it would be past what it meets.
+    bool is_on_chord = false;
     bool is_frozen = false;      ///< for the rest of the substep
     bool is_surrounded = false;  ///< all balls in its pairs have paths
     bool rolls_on = false;       ///< its last impact has led it along a curve
     std::uint32_t body = 0;
+
+    bool is_on_parabola() const { return is_free && !is_on_chord; }
 };
 
 /// The paths of the balls that could meet something in a substep, made when they are asked for.

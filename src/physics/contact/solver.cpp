@@ -1,5 +1,7 @@
 #include "physics/contact/solver.h"
 
+#include <algorithm>
+
 #include "physics/contact/contact_memory.h"
 #include "physics/contact/reference_positions.h"
 #include "physics/contact/tolerances.h"
@@ -7,10 +9,26 @@
 #include "physics/world/solver_access.h"
 
 namespace carom {
+namespace {
+
+// More substeps where balls are small against what gravity moves them in one. A constraint lets a
+// ball fall that far before it holds it.
+int substeps_for_fall(const World& world, int wanted) {
+    if (!world.model().gravity || world.balls().size() == 0) return wanted;
+    const double smallest = *std::ranges::min_element(world.balls().radius);
+    const double fall = length(*world.model().gravity) * world.tick_length() * world.tick_length();
+    int count = wanted;
+    while (count < contact_tolerance::most_substeps &&
+           fall > contact_tolerance::most_fall * smallest * count * count)
+        count *= 2;
+    return count;
+}
+
+}  // namespace
 
 void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
                          std::vector<std::uint8_t>& touched, bool is_strict) {
-    const int count = substeps_needed(world, substeps);
+    const int count = substeps_for_fall(world, substeps_needed(world, substeps));
     step_ = contact_substep(world, count, is_strict);
     kinematics_.begin_tick();
     impacts_.begin_tick();

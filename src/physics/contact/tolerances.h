@@ -10,6 +10,8 @@
 /// |-------------------|-------|------------------------------|---|
 /// | rest_speed_factor | 1.5   | g h (gravity over a substep) | piles never bounce / piles boil |
 /// | most_travel       | 0.25  | radii a substep              | tunnelling through constraints / all is CCD, slow |
+/// | most_fall         | 0.25  | smallest radius              | small balls pass through one another / more substeps |
+/// | most_substeps     | 64    | substeps                     | a grain makes a scene slow / as most_fall |
 /// | stiffness         | 0.22  | cycles a substep             | piles ring and gain energy / overlap grows a hundredfold |
 /// | damping           | 10    | of critical damping          | overlaps close too slowly / piles ring |
 /// | stiffening        | 5     | per radius of overlap        | piles tremble / loads sink in deeper |
@@ -17,6 +19,8 @@
 /// | over_relaxation   | 0.6   | share                        | iterations gain energy (from 1) / high piles swing for minutes |
 /// | high_mass_ratio   | 4     | masses                       | heavy on light rocks for ever / most pairs cost four rounds |
 /// | loaded_iterations | 4     | iterations                   | slower / heavy on light rocks |
+/// | full_press        | 0.5   | g h                          | balls on slopes hop / a light push moves a ball the other way |
+/// | far_fall          | 0.01  | ball's radius                | grains sink into what they fall with / rolling on steep curves costs energy |
 /// | most_excess       | 4     | rest speeds                  | landings are thrown back up / falling piles overlap more |
 /// | enclosed_contacts | 3     | contacts on a ball           | lively piles boil / no ball bounces in a pile |
 /// | overlap_limit     | 0.5   | smaller radius               | balls pass through one another / pressed pairs become CCD |
@@ -43,6 +47,11 @@ inline constexpr double rest_speed_factor = 1.5;
 /// A pair is a constraint only while it moves less than this share of a radius in a substep.
 inline constexpr double most_travel = 0.25;
 
+/// A tick has more substeps than asked for, up to `most_substeps`, while g h^2 is more than this
+/// share of the smallest radius.
+inline constexpr double most_fall = 0.25;
+inline constexpr int most_substeps = 64;
+
 /// Constraints are springs of this many cycles a substep. A pile of 2,000 without friction comes to
 /// rest at 0.22 (speeds of 1e-12), and at 0.25 never (0.01).
 inline constexpr double stiffness = 0.22;
@@ -63,6 +72,13 @@ inline constexpr double over_relaxation = 0.6;
 /// ever; with two it rests after a minute, with four after some seconds.
 inline constexpr double high_mass_ratio = 4.0;
 inline constexpr int loaded_iterations = 4;
+
+/// From this share of the speed that gravity gives in a substep on, an impulse presses a ball, and
+/// the ball leaves its parabola. With less than a half, an upward impulse would move the ball down.
+/// Below that, only where g h^2 is more than `far_fall` of its radius: balls that roll down steep
+/// curves are pressed as little.
+inline constexpr double full_press = 0.5;
+inline constexpr double far_fall = 0.01;
 
 /// An impulse that lets the upper body leave the lower one at this many rest speeds has stopped an
 /// impact. It is no load to warm start from, and the excess is taken back.

@@ -348,7 +348,7 @@ TEST_CASE("contact: balls in one place come apart, and gain no energy") {
     CHECK(solver.standing().size() < 20);
     const auto by_x = [](Vec2 a, Vec2 b) { return a.x < b.x; };
     const auto [left, right] = std::ranges::minmax(world.balls().position, by_x);
-    CHECK(right.x - left.x > 35.0);
+    CHECK(right.x - left.x > 30.0);
     for (const Vec2 place : world.balls().position) {
         CHECK(place.x > 0.0);
         CHECK(place.x < 40.0);
