@@ -10,8 +10,8 @@
 
 /// Actions: everything that a key can do. One table holds them all
 /// (carom/controllers/action_table.cpp). Key dispatch, hints, preferences and the list in
-/// docs/command-line.md follow from it, so a new key command is one row there, one line in that
-/// list, and one on the help pages (help_page.h).
+/// docs/command-line.md follow from it, so a new key command is one row there and one line in that
+/// list. The help pages show its own help until help_pages.cpp has better words for it.
 namespace carom {
 
 struct PlayContext;
@@ -36,7 +36,8 @@ struct Action {
     std::string_view name;  ///< stored in the preferences file, so it never changes
     std::string_view
         keys;  ///< the default keys, in the syntax of the preferences file, separated by blanks
-    std::string_view help;  ///< in docs/command-line.md; the help pages have their own words
+    /// In docs/command-line.md, and on the help pages where these have no words of their own.
+    std::string_view help;
     Where where;
     Perform perform;
     AtPool at_pool = nullptr;

@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
+
+#include "carom/context/action.h"
 
 /// The help pages: for each way of playing, the keys that matter there, on one page. One table
 /// holds all lines (carom/controllers/help_pages.cpp); KeyMap::help adds the keys that are bound.
@@ -28,5 +31,10 @@ struct HelpLine {
 
 /// In the order of the pages. Lines of a section stand together on each page.
 std::span<const HelpLine> help_lines();
+
+/// A line, in a last section, for each of the actions that help_lines() does not name: its own
+/// help, where it applies. So an action is on the help pages as soon as it is in the table of
+/// actions.
+std::vector<HelpLine> unnamed_lines(std::span<const Action> actions);
 
 }  // namespace carom

@@ -85,14 +85,16 @@ std::string KeyMap::keys_of(const HelpLine& line) const {
 
 std::vector<HelpSection> KeyMap::help(PlayKind kind) const {
     std::vector<HelpSection> sections;
-    for (const HelpLine& line : help_lines()) {
-        if (!(line.pages & help_bit(kind))) continue;
+    const auto add = [&](const HelpLine& line) {
+        if (!(line.pages & help_bit(kind))) return;
         std::string keys = keys_of(line);
-        if (keys.empty()) continue;
+        if (keys.empty()) return;
         if (sections.empty() || sections.back().title != line.section)
             sections.push_back({std::string(line.section), {}});
         sections.back().keys.push_back({std::move(keys), std::string(line.help)});
-    }
+    };
+    std::ranges::for_each(help_lines(), add);
+    std::ranges::for_each(unnamed_lines(actions()), add);
     return sections;
 }
 

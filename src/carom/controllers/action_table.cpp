@@ -10,8 +10,8 @@
 #include "carom/controllers/pool_actions.h"
 #include "carom/controllers/world_control.h"
 
-/// The table of all actions. To add one, add a row, its line on the help pages
-/// (help_pages.cpp), and its line in docs/command-line.md.
+/// The table of all actions. To add one, add a row, and its line in docs/command-line.md. Other
+/// words for the help pages, or a line that it shares with others, go to help_pages.cpp.
 namespace carom {
 namespace {
 

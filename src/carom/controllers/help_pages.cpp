@@ -1,5 +1,7 @@
 #include "carom/context/help_page.h"
 
+#include <algorithm>
+
 /// The lines of the help pages.
 namespace carom {
 namespace {
@@ -98,7 +100,44 @@ constexpr HelpLine lines[] = {
     {in_all, "Program", "menu quit", "", "cancel or menu, quit"},
 };
 
+std::uint8_t pages_of(Where where) {
+    switch (where) {
+        case Where::anywhere:
+            return in_all;
+        case Where::playing:
+            return in_all & ~watched;
+        case Where::pool:
+            return at_table;
+        case Where::pinball:
+            return at_pinball;
+    }
+    return 0;
+}
+
+// Whether a line names the action, among others.
+bool is_named(const Action& action, const HelpLine& line) {
+    std::string_view rest = line.actions;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        if (rest.substr(0, end) == action.name) return true;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return false;
+}
+
 }  // namespace
+
+std::vector<HelpLine> unnamed_lines(std::span<const Action> actions) {
+    std::vector<HelpLine> unnamed;
+    for (const Action& action : actions) {
+        if (action.name == "help") continue;  // the page itself
+        const bool has_line = std::ranges::any_of(
+            lines, [&](const HelpLine& line) { return is_named(action, line); });
+        if (!has_line)
+            unnamed.push_back({pages_of(action.where), "More", action.name, "", action.help});
+    }
+    return unnamed;
+}
 
 std::span<const HelpLine> help_lines() {
     return lines;

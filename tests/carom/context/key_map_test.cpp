@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -153,8 +155,10 @@ TEST_CASE("found 2 and 7: the help of a table has the keys of that table alone")
 }
 
 TEST_CASE("every action is on a help page where it applies") {
-    const auto is_on = [](const Action& action, PlayKind kind) {
-        for (const HelpLine& line : help_lines())
+    std::vector<HelpLine> lines(help_lines().begin(), help_lines().end());
+    std::ranges::copy(unnamed_lines(actions()), std::back_inserter(lines));
+    const auto is_on = [&](const Action& action, PlayKind kind) {
+        for (const HelpLine& line : lines)
             if ((line.pages & help_bit(kind)) &&
                 (" " + std::string(line.actions) + " ")
                         .find(" " + std::string(action.name) + " ") != std::string::npos)
@@ -173,6 +177,24 @@ TEST_CASE("every action is on a help page where it applies") {
         CHECK_FALSE(line.help.empty());
         CHECK((!line.actions.empty() || !line.keys.empty()));
     }
+}
+
+TEST_CASE("help: an action without words on the help pages is there where it applies") {
+    const auto nothing = static_cast<void (*)(PlayContext&)>(nullptr);
+    const Action added[] = {{"double-gravity", "D", "double gravity", Where::playing, nothing},
+                            {"pause", "space", "pause, resume", Where::anywhere, nothing},
+                            {"ring", "R", "ring", Where::pinball, nothing},
+                            {"help", "?", "help: the keys", Where::anywhere, nothing}};
+    const std::vector<HelpLine> lines = unnamed_lines(added);
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0].actions == "double-gravity");
+    CHECK(lines[0].help == "double gravity");
+    CHECK((lines[0].pages & help_bit(PlayKind::free)) != 0);
+    CHECK((lines[0].pages & help_bit(PlayKind::cue)) != 0);
+    CHECK((lines[0].pages & help_bit(PlayKind::watching)) == 0);
+    CHECK(lines[1].pages == help_bit(PlayKind::pinball));
+    for (const HelpLine& line : unnamed_lines(actions()))
+        CHECK(line.help.size() <= 23);  // the room for it at 80 columns
 }
 
 TEST_CASE("found 7: a table's help is seen as a whole at 80x24") {
