@@ -1,19 +1,10 @@
 #pragma once
 
 #include "geometry/shapes.h"
+#include "terminal/canvas/canvas.h"
 
 /// A camera maps world points to positions on the canvas, in cells, and back.
 namespace carom {
-
-/// A rectangle of cells of a canvas.
-struct CellArea {
-    int column = 0;  ///< of the left edge
-    int row = 0;     ///< of the top edge
-    int columns = 0;
-    int rows = 0;
-
-    friend bool operator==(const CellArea&, const CellArea&) = default;
-};
 
 /// A position on the canvas, finer than a cell: the centre of the cell in column 3 of row 5 is
 /// {3.5, 5.5}. Rows count downwards.

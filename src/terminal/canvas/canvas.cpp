@@ -48,6 +48,12 @@ void Canvas::fill(const Cell& cell) {
     std::fill(cells_.begin(), cells_.end(), cell);
 }
 
+void Canvas::clear(const CellArea& area) {
+    for (int row = area.row; row < area.row + area.rows; ++row)
+        for (int column = area.column; column < area.column + area.columns; ++column)
+            put(column, row, {});
+}
+
 std::string Canvas::text() const {
     std::string text;
     for (int row = 0; row < rows_; ++row) {

@@ -22,6 +22,16 @@ struct Cell {
     friend bool operator==(const Cell&, const Cell&) = default;
 };
 
+/// A rectangle of cells of a canvas.
+struct CellArea {
+    int column = 0;  ///< of the left edge
+    int row = 0;     ///< of the top edge
+    int columns = 0;
+    int rows = 0;
+
+    friend bool operator==(const CellArea&, const CellArea&) = default;
+};
+
 /// Columns count from the left, rows from the top, both from 0. Writes outside the canvas do
 /// nothing.
 class Canvas {
@@ -43,6 +53,8 @@ class Canvas {
     int write(int column, int row, std::string_view text, Color foreground = default_color,
               Color background = default_color, std::uint8_t attributes = plain);
     void fill(const Cell& cell);
+    /// Makes the cells of an area blank.
+    void clear(const CellArea& area);
 
     /// The glyphs as UTF-8, without colours, each row ended by a newline and without trailing
     /// blanks: for tests and documents.

@@ -111,6 +111,7 @@ class Raster {
     template <class Coverage>
     void paint_pixels(CellSamples& cell, RasterPoint corner, const Brush& brush, Coverage coverage);
     void thin_line(RasterPoint start, RasterPoint end, const Brush& brush);
+    void paint_capsule(RasterPoint start, RasterPoint end, double thickness, const Brush& brush);
     RasterPoint middle_of_number(RasterPoint center, int width) const;
     void blend_pixel(int column, int row, const Ink& ink, double opacity);
     void blend(CellSamples& cell, std::size_t pixel, const Ink& ink, double opacity);

@@ -239,7 +239,12 @@ void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Br
         return lines_.draw({start.x, start.y / aspect_}, {end.x, end.y / aspect_}, brush.ink,
                            brush.tone < least_strong);
     }
-    const double thickness = std::max(radius, hairline());
+    paint_capsule(start, end, std::max(radius, hairline()), brush);
+}
+
+// A capsule by the coverage of each sample.
+void Raster::paint_capsule(RasterPoint start, RasterPoint end, double thickness,
+                           const Brush& brush) {
     const double clearance = std::max(width_, height_);
     const double reach = thickness + clearance;
     const double along_x = end.x - start.x;

@@ -21,14 +21,6 @@ void remember_fastest(ViewMemory& memory, const World& world) {
     memory.fastest = std::max(std::sqrt(fastest), memory.fastest * (has_moved ? 0.995 : 1.0));
 }
 
-void blank(Canvas& canvas, const CellArea& area) {
-    for (int row = area.row; row < area.row + area.rows; ++row) {
-        for (int column = area.column; column < area.column + area.columns; ++column) {
-            canvas.put(column, row, {});
-        }
-    }
-}
-
 void write_texts(Canvas& canvas, const View& view) {
     write_coordinates(canvas, view);
     if (view.options.counters && !view.annotations.pool && !view.annotations.table)
@@ -55,7 +47,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
                 std::span<const Contact> contacts, const Annotations& annotations,
                 const ViewOptions& options, ViewMemory& memory) {
     const CellArea& area = camera.area;
-    blank(canvas, area);
+    canvas.clear(area);
     if (area.columns <= 0 || area.rows <= 0) return;
 
     remember_fastest(memory, world);

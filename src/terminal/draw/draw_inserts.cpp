@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/elementary.h"
+#include "geometry/polygon.h"
 #include "terminal/canvas/character_width.h"
 #include "terminal/draw/draw_parts.h"
 
@@ -16,17 +17,6 @@ constexpr double unlit_share = 0.34;
 // The glow around a lit insert, in radii; smaller inserts, in columns, have none.
 constexpr double halo_share = 1.4;
 constexpr double least_halo = 1.2;
-
-bool is_within_corners(std::span<const RasterPoint> corners, double x, double y) {
-    bool inside = false;
-    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-        const RasterPoint a = corners[i];
-        const RasterPoint b = corners[j];
-        if ((a.y > y) == (b.y > y)) continue;
-        if (x < a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)) inside = !inside;
-    }
-    return inside;
-}
 
 // The corners of a shape of radius 1 that points up, y upwards.
 std::vector<Vec2> outline_of(InsertShape shape) {
@@ -116,7 +106,7 @@ void fill_polygon(Raster& raster, std::span<const RasterPoint> corners, const In
              across <
              std::min(raster.samples_across(), index(high.x, width, raster.samples_across()) + 1);
              ++across)
-            if (is_within_corners(corners, (across + 0.5) * width, (down + 0.5) * height))
+            if (is_inside_polygon(corners, {(across + 0.5) * width, (down + 0.5) * height}))
                 raster.sample(across, down, level, ink);
 }
 

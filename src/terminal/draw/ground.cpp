@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/polygon.h"
 #include "terminal/canvas/color.h"
 #include "terminal/canvas/legible.h"
 
@@ -40,17 +41,6 @@ GroundColors colors_of(const Scene& scene) {
     if (theme.board && is_pool) colors.cushion = scaled(*theme.board, 0.75);
     if (theme.rail) colors.rail = *theme.rail;
     return colors;
-}
-
-bool is_within(const std::vector<Vec2>& corners, Vec2 at) {
-    bool inside = false;
-    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-        const Vec2 a = corners[i];
-        const Vec2 b = corners[j];
-        if ((a.y > at.y) == (b.y > at.y)) continue;
-        if (at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)) inside = !inside;
-    }
-    return inside;
 }
 
 // A cell of pixels, which shows the ground already: half blocks, quadrants, sextants, octants.
@@ -160,7 +150,7 @@ void GroundLayer::fill_area(const PaintedArea& area) {
             const Vec2 at = place_of(across, down);
             const bool is_inside = area.corners.empty()
                                        ? length(at - area.disc.center) <= area.disc.radius
-                                       : is_within(area.corners, at);
+                                       : is_inside_polygon<Vec2>(area.corners, at);
             if (is_inside) sample(across, down) = color;
         }
 }

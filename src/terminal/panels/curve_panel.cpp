@@ -104,7 +104,7 @@ void draw_bars(Canvas& canvas, const CellArea& area, const Points& points, const
 void draw_curve(Canvas& canvas, const CellArea& area, const CurvePicture& picture,
                 const Look& look) {
     if (area.columns < least_curve_columns || area.rows < least_curve_rows) return;
-    clear_area(canvas, area);
+    canvas.clear(area);
     std::vector<PanelText> head = {{picture.title, ink_of(Role::strong, look)}};
     if (!picture.value.empty()) head.push_back({picture.value, ink_of(Role::text, look)});
     write_flowing(canvas, {area.column, area.row, area.columns, 1}, head);
@@ -113,22 +113,11 @@ void draw_curve(Canvas& canvas, const CellArea& area, const CurvePicture& pictur
 
     const Span x{points.front().x, points.back().x};
     const Span y = span_of_values(points);
-    const Ink faint = ink_of(Role::faint, look);
-    const std::string high = fmt::format("{:.4g}", y.high);
-    const std::string low = fmt::format("{:.4g}", y.low);
-    const int side = std::max(columns_of(high), columns_of(low)) + 1;
-    const CellArea inside{area.column + side, area.row + 1, area.columns - side, area.rows - 2};
-    write_cut(canvas, area, 1, high, faint);
-    write_cut(canvas, area, area.rows - 2, low, faint);
+    const auto number = [](double value) { return fmt::format("{:.4g}", value); };
+    const CellArea inside = draw_axes(
+        canvas, area, {number(y.low), number(y.high), number(x.low), number(x.high)}, look);
     if (picture.has_bars) draw_bars(canvas, inside, points, x, y, look);
     draw_points(canvas, inside, points, x, y, picture.has_bars, look);
-    const std::string from = fmt::format("{:.4g}", x.low);
-    const std::string to = fmt::format("{:.4g}", x.high);
-    const CellArea axis{inside.column, area.row + area.rows - 1, inside.columns, 1};
-    write_cut(canvas, axis, 0, from, faint);
-    const int end = axis.column + axis.columns - columns_of(to);
-    if (end > axis.column + columns_of(from))
-        canvas.write(end, axis.row, to, faint.color, default_color, faint.attributes);
 }
 
 }  // namespace carom

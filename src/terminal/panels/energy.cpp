@@ -146,7 +146,7 @@ void draw_energy(Canvas& canvas, const CellArea& whole, const EnergyHistory& his
     CellArea area = whole;
     draw_small_graphs(canvas, area, history, tick_length, look);
     if (area.columns < least_panel_columns || area.rows < least_panel_rows) return;
-    clear_area(canvas, area);
+    canvas.clear(area);
     const std::array<Curve, 3> drawn = curves(look);
     std::vector<PanelText> legend = {{"energy", ink_of(Role::strong, look)}};
     if (has_potential(history.samples())) {
@@ -157,26 +157,15 @@ void draw_energy(Canvas& canvas, const CellArea& whole, const EnergyHistory& his
     if (history.samples().size() < 2) return;
 
     const Range range = range_of(history.samples(), drawn);
-    const Ink faint = ink_of(Role::faint, look);
-    const std::string high = fmt::format("{:.4g}", range.high);
-    const std::string low = fmt::format("{:.4g}", range.low);
-    const int side = std::max(columns_of(high), columns_of(low)) + 1;
-    const CellArea picture{area.column + side, area.row + 1, area.columns - side, area.rows - 2};
-    write_cut(canvas, area, 1, high, faint);
-    write_cut(canvas, area, area.rows - 2, low, faint);
-    draw_curves(canvas, picture, history, drawn, range, look);
-
     const auto seconds = [&](const EnergyHistory::Sample& sample) {
-        return static_cast<double>(sample.tick) * tick_length;
+        return fmt::format("{:.4g} s", static_cast<double>(sample.tick) * tick_length);
     };
-    const std::string from = fmt::format("{:.4g} s", seconds(history.samples().front()));
-    const std::string to = fmt::format("{:.4g} s", seconds(history.samples().back()));
-    const CellArea axis{picture.column, area.row + area.rows - 1, picture.columns, 1};
-    write_cut(canvas, axis, 0, from, faint);
-    const int end = axis.column + axis.columns - columns_of(to);
-    if (end > axis.column + columns_of(from)) {
-        canvas.write(end, axis.row, to, faint.color, default_color, faint.attributes);
-    }
+    const CellArea picture =
+        draw_axes(canvas, area,
+                  {fmt::format("{:.4g}", range.low), fmt::format("{:.4g}", range.high),
+                   seconds(history.samples().front()), seconds(history.samples().back())},
+                  look);
+    draw_curves(canvas, picture, history, drawn, range, look);
 }
 
 }  // namespace carom

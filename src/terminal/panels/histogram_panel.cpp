@@ -54,7 +54,31 @@ char32_t level_line(double share, bool utf8) {
     return share < 0.33 ? U'_' : share < 0.67 ? U'-' : U'"';
 }
 
-// Draws bars and curve, from the bottom row of `area` upwards.
+// A bar and its part of the curve, `first` to `last` (excluded), from the bottom of `area` upwards.
+void draw_bar(Canvas& canvas, const CellArea& area, int first, int last, double height,
+              std::optional<double> curve, const Look& look) {
+    const Ink bar_ink = ink_of_class(1, look);
+    const Ink curve_ink = ink_of(Role::expected, look);
+    for (int column = std::max(first, area.column);
+         column < std::min(last, area.column + area.columns); ++column)
+        for (int up = 0; up < area.rows; ++up) {
+            const double filled = height - up;
+            // A full cell gets the colour as its background too, since blocks leave seams in many
+            // fonts.
+            const bool is_full = filled >= 1.0 && look.has_colors() && look.utf8;
+            Cell cell{partial_block(filled, look.utf8), bar_ink.color,
+                      is_full ? bar_ink.color : default_color, bar_ink.attributes};
+            if (cell.glyph == U' ') cell = {};
+            if (curve && up == std::min(static_cast<int>(*curve), area.rows - 1)) {
+                cell.glyph = level_line(*curve - up, look.utf8);
+                cell.foreground = curve_ink.color;
+                cell.attributes = curve_ink.attributes;
+            }
+            canvas.put(column, area.row + area.rows - 1 - up, cell);
+        }
+}
+
+// All bars and the curve. Pre: the area is blank.
 void draw_bars(Canvas& canvas, const CellArea& area, const std::vector<PictureBar>& bars,
                const Look& look) {
     double most = 1.0;
@@ -62,32 +86,12 @@ void draw_bars(Canvas& canvas, const CellArea& area, const std::vector<PictureBa
         most = std::max({most, bar.count, bar.expected});
     const double rows_per_count = area.rows / most;
     const int width = std::max(1, area.columns / static_cast<int>(bars.size()));
-    const Ink bar_ink = ink_of_class(1, look);
-    const Ink curve_ink = ink_of(Role::expected, look);
+    const int gap = width > 2 ? 1 : 0;
     for (std::size_t i = 0; i < bars.size(); ++i) {
-        const double height = bars[i].count * rows_per_count;
-        const double curve = bars[i].expected * rows_per_count;
-        const int curve_row = std::min(static_cast<int>(curve), area.rows - 1);
-        for (int x = 0; x < width; ++x) {
-            const int column = area.column + static_cast<int>(i) * width + x;
-            const bool is_gap = width > 2 && x == width - 1;
-            for (int up = 0; up < area.rows; ++up) {
-                const int row = area.row + area.rows - 1 - up;
-                const double filled = is_gap ? 0.0 : height - up;
-                // A full cell gets the colour as its background too, since blocks leave seams in
-                // many fonts.
-                const bool is_full = filled >= 1.0 && look.has_colors() && look.utf8;
-                Cell cell{partial_block(filled, look.utf8), bar_ink.color,
-                          is_full ? bar_ink.color : default_color, bar_ink.attributes};
-                if (cell.glyph == U' ') cell = {};
-                if (bars[i].expected > 0.0 && up == curve_row && !is_gap) {
-                    cell.glyph = level_line(curve - up, look.utf8);
-                    cell.foreground = curve_ink.color;
-                    cell.attributes = curve_ink.attributes;
-                }
-                canvas.put(column, row, cell);
-            }
-        }
+        const int first = area.column + static_cast<int>(i) * width;
+        const bool has_curve = bars[i].expected > 0.0;
+        draw_bar(canvas, area, first, first + width - gap, bars[i].count * rows_per_count,
+                 has_curve ? std::optional(bars[i].expected * rows_per_count) : std::nullopt, look);
     }
 }
 
@@ -122,7 +126,7 @@ void draw_histogram(Canvas& canvas, const CellArea& area, const Histogram& histo
     const bool is_too_small =
         area.columns < least_histogram_columns || area.rows < least_histogram_rows;
     if (is_too_small || histogram.counts.empty()) return;
-    clear_area(canvas, area);
+    canvas.clear(area);
     const std::string title =
         histogram.against.empty() ? histogram.title : histogram.title + " / " + histogram.against;
     write_cut(canvas, area, 0, title, ink_of(Role::strong, look));
@@ -141,32 +145,6 @@ void draw_histogram(Canvas& canvas, const CellArea& area, const Histogram& histo
                   words);
 }
 
-namespace {
-
-// A bar and its part of the curve, `first` to `last` (excluded), from the bottom of `area` upwards.
-void draw_bar(Canvas& canvas, const CellArea& area, int first, int last, double height,
-              std::optional<double> curve, const Look& look) {
-    const Ink bar_ink = ink_of_class(1, look);
-    const Ink curve_ink = ink_of(Role::expected, look);
-    for (int column = std::max(first, area.column);
-         column < std::min(last, area.column + area.columns); ++column)
-        for (int up = 0; up < area.rows; ++up) {
-            const double filled = height - up;
-            const bool is_full = filled >= 1.0 && look.has_colors() && look.utf8;
-            Cell cell{partial_block(filled, look.utf8), bar_ink.color,
-                      is_full ? bar_ink.color : default_color, bar_ink.attributes};
-            if (cell.glyph == U' ') cell = {};
-            if (curve && up == std::min(static_cast<int>(*curve), area.rows - 1)) {
-                cell.glyph = level_line(*curve - up, look.utf8);
-                cell.foreground = curve_ink.color;
-                cell.attributes = curve_ink.attributes;
-            }
-            canvas.put(column, area.row + area.rows - 1 - up, cell);
-        }
-}
-
-}  // namespace
-
 bool fits_below(const Histogram& histogram, std::span<const double> borders) {
     constexpr double least_width = 2.0;  // columns of a bar, with the gap beside it
     if (borders.size() != histogram.counts.size() + 1 || histogram.counts.empty()) return false;
@@ -179,7 +157,7 @@ void draw_histogram_below(Canvas& canvas, const CellArea& area, const Histogram&
                           std::span<const double> borders, const Look& look) {
     constexpr int least_rows_below = 5;
     if (area.rows < least_rows_below) return;
-    clear_area(canvas, area);
+    canvas.clear(area);
     double total = 0.0;
     for (const std::uint64_t count : histogram.counts)
         total += static_cast<double>(count);

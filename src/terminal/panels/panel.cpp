@@ -30,14 +30,6 @@ int flow(std::span<const PanelText> texts, int columns, Put put) {
 
 }  // namespace
 
-void clear_area(Canvas& canvas, const CellArea& area) {
-    for (int row = area.row; row < area.row + area.rows; ++row) {
-        for (int column = area.column; column < area.column + area.columns; ++column) {
-            canvas.put(column, row, {});
-        }
-    }
-}
-
 std::string_view cut_to(std::string_view text, int columns) {
     std::size_t end = 0;
     for (; columns > 0 && end < text.size(); --columns)
@@ -61,6 +53,20 @@ void write_flowing(Canvas& canvas, const CellArea& area, std::span<const PanelTe
         const CellArea rest{area.column + column, area.row, area.columns - column, area.rows};
         write_cut(canvas, rest, row, text.text, text.ink);
     });
+}
+
+CellArea draw_axes(Canvas& canvas, const CellArea& area, const AxisEnds& ends, const Look& look) {
+    const Ink faint = ink_of(Role::faint, look);
+    const int side = std::max(columns_of(ends.high), columns_of(ends.low)) + 1;
+    const CellArea inside{area.column + side, area.row + 1, area.columns - side, area.rows - 2};
+    write_cut(canvas, area, 1, ends.high, faint);
+    write_cut(canvas, area, area.rows - 2, ends.low, faint);
+    const CellArea axis{inside.column, area.row + area.rows - 1, inside.columns, 1};
+    write_cut(canvas, axis, 0, ends.from, faint);
+    const int end = axis.column + axis.columns - columns_of(ends.to);
+    if (end > axis.column + columns_of(ends.from))
+        canvas.write(end, axis.row, ends.to, faint.color, default_color, faint.attributes);
+    return inside;
 }
 
 std::vector<std::string> wrapped(std::string_view text, int columns) {

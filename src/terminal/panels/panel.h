@@ -18,8 +18,6 @@ struct PanelText {
     Ink ink;
 };
 
-void clear_area(Canvas& canvas, const CellArea& area);
-
 /// The first `columns` columns of UTF-8 text.
 std::string_view cut_to(std::string_view text, int columns);
 
@@ -31,6 +29,17 @@ void write_cut(Canvas& canvas, const CellArea& area, int row, std::string_view t
 int rows_for(std::span<const PanelText> texts, int columns);
 /// Writes as many of the texts as fit.
 void write_flowing(Canvas& canvas, const CellArea& area, std::span<const PanelText> texts);
+
+/// The ends of the axes of a graph: their labels.
+struct AxisEnds {
+    std::string low;  ///< of the vertical axis
+    std::string high;
+    std::string from;  ///< of the horizontal axis
+    std::string to;
+};
+/// Writes the labels of a graph whose title is in the first row of `area`: those of the vertical
+/// axis to the left of it, the others below, `to` where there is room. Returns what is left.
+CellArea draw_axes(Canvas& canvas, const CellArea& area, const AxisEnds& ends, const Look& look);
 
 /// Breaks text at blanks so that no line is longer than `columns`; a longer word is cut.
 std::vector<std::string> wrapped(std::string_view text, int columns);

@@ -166,7 +166,7 @@ CellArea cut_pool_panel(CellArea& area, double table_shape, double aspect) {
 void draw_pool_panel(Canvas& canvas, const CellArea& area, const PoolPanel& panel,
                      const Renderer& renderer, double aspect, const Look& look) {
     if (area.columns <= 0 || area.rows <= 0) return;
-    clear_area(canvas, area);
+    canvas.clear(area);
     if (is_strip(area))
         draw_strip(canvas, area, panel, renderer, aspect, look);
     else

@@ -108,7 +108,7 @@ void write_score_panel(Canvas& canvas, const CellArea& area, const ScorePanel& p
 
 void draw_score_panel(Canvas& canvas, const CellArea& area, const ScorePanel& panel,
                       const Look& look) {
-    clear_area(canvas, area);
+    canvas.clear(area);
     if (area.columns < 4 || area.rows < 1) return;
     write_score_panel(canvas, area, panel, look);
     lay_pane(canvas, area, look);
@@ -139,7 +139,7 @@ std::string trimmed(std::string_view line) {
 
 void draw_rules_card(Canvas& canvas, const CellArea& area, std::string_view title,
                      const std::vector<std::string>& text, const Look& look) {
-    clear_area(canvas, area);
+    canvas.clear(area);
     if (area.columns < 12 || area.rows < 4) return;
     const CellArea inside{area.column + 1, area.row + 1, area.columns - 3, area.rows - 1};
     int row = 0;
@@ -178,7 +178,7 @@ void draw_rules_card(Canvas& canvas, const CellArea& area, std::string_view titl
     }
     if (row > inside.rows) {
         row = inside.rows - 1;
-        clear_area(canvas, {inside.column, inside.row + row, inside.columns, 1});
+        canvas.clear({inside.column, inside.row + row, inside.columns, 1});
         write("F1 shows the rest", 0, ink_of(Role::faint, look));
     }
     lay_pane(canvas, area, look);
