@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "carom/cli/load_and_report.h"
 #include "carom/files/level_files.h"
 #include "carom/files/print.h"
 #include "lab/json.h"
@@ -56,9 +57,7 @@ int check(const CheckOptions& options) {
     if (options.format == CheckFormat::json) return check_for_tools(options);
     bool all_load = true;
     for (const std::string& argument : options.levels) {
-        const LoadedLevel level = load_level_file(argument, {.overrides = options.overrides});
-        if (!level.error.empty()) print_error(level.error);
-        print_diagnostics(level.result.diagnostics);
+        const LoadedLevel level = load_and_report(argument, {.overrides = options.overrides});
         if (!level.result.scene) {
             all_load = false;
         } else if (!print_out(fmt::format("{}: ok\n", level.path))) {

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <optional>
 
 #include "carom/cli/interrupt.h"
+#include "carom/cli/load_and_report.h"
 #include "carom/cli/progress.h"
 #include "carom/files/files.h"
-#include "carom/files/level_files.h"
 #include "carom/files/print.h"
 #include "lab/compare/compare.h"
 #include "lab/run/run_record.h"
@@ -32,12 +33,8 @@ CompareSettings settings_of(const CompareOptions& options, const Scene& scene) {
 }
 
 Comparison compare_with_bar(const Scene& scene, const CompareSettings& settings) {
-    std::optional<Progress> progress;
-    return compare(scene, settings, [&](std::uint64_t done, std::uint64_t total) {
-        if (!progress) progress.emplace(total);
-        progress->update(done);
-        return InterruptGuard::signal() == 0;
-    });
+    ProgressOrSignal go_on;
+    return compare(scene, settings, std::ref(go_on));
 }
 
 int compare_scene(const CompareOptions& options, const Scene& scene) {
@@ -70,11 +67,9 @@ int compare_scene(const CompareOptions& options, const Scene& scene) {
 }  // namespace
 
 int compare(const CompareOptions& options) {
-    const LoadedLevel level = load_level_file(
+    const LoadedLevel level = load_and_report(
         options.level,
         {.overrides = options.overrides, .seed = options.seed, .rate = options.rate});
-    if (!level.error.empty()) print_error(level.error);
-    print_diagnostics(level.result.diagnostics);
     if (!level.result.scene) return 2;
     const int code = compare_scene(options, *level.result.scene);
     if (const int signal = InterruptGuard::signal()) die_of(signal);

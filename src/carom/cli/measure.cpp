@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
 #include <optional>
 #include <utility>
 
 #include "carom/cli/interrupt.h"
+#include "carom/cli/load_and_report.h"
 #include "carom/cli/open_recording.h"
 #include "carom/cli/progress.h"
 #include "carom/files/files.h"
-#include "carom/files/level_files.h"
 #include "carom/files/print.h"
 #include "carom/play/recording.h"
 #include "lab/measure/measure.h"
@@ -39,14 +40,8 @@ MeasureSettings settings_of(const MeasureOptions& options) {
 }
 
 std::optional<Measurement> measure_with_bar(const Scene& scene, const MeasureSettings& settings) {
-    std::optional<Progress> progress;
-    const LabHooks hooks{.clock = clock_seconds,
-                         .go_on = [&](std::uint64_t done, std::uint64_t total) {
-                             if (!progress) progress.emplace(total);
-                             progress->update(done);
-                             return InterruptGuard::signal() == 0;
-                         }};
-    return measure(scene, settings, hooks);
+    ProgressOrSignal go_on;
+    return measure(scene, settings, {.clock = clock_seconds, .go_on = std::ref(go_on)});
 }
 
 std::string text_of(const MeasureOptions& options, const Scene& scene,
@@ -115,11 +110,9 @@ std::optional<Measurable> open_recorded(const MeasureOptions& options) {
 // None: an error, which has been printed.
 std::optional<Measurable> open(const MeasureOptions& options) {
     if (is_recording(options.level)) return open_recorded(options);
-    LoadedLevel level = load_level_file(
+    LoadedLevel level = load_and_report(
         options.level,
         {.overrides = options.overrides, .seed = options.seed, .rate = options.rate});
-    if (!level.error.empty()) print_error(level.error);
-    print_diagnostics(level.result.diagnostics);
     if (!level.result.scene) return std::nullopt;
     return Measurable{std::move(*level.result.scene), {}, std::nullopt};
 }

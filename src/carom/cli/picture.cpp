@@ -65,7 +65,7 @@ void film(Player& player, Canvas& canvas, std::uint64_t end) {
 std::string text_of(const Canvas& canvas, const PictureOptions& options, const Look& look) {
     switch (options.format) {
         case PictureFormat::svg: {
-            // What is drawn without colours is black and white.
+            // A picture without colours is black and white.
             Look shown = look;
             if (!shown.has_colors()) shown.colors = 256;
             return svg_of(canvas, shown);

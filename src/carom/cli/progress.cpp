@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "carom/cli/interrupt.h"
+
 namespace carom {
 namespace {
 
@@ -51,6 +53,12 @@ void Progress::clear() {
     if (drawn_ == 0) return;
     write_to_terminal('\r' + std::string(drawn_, ' ') + '\r');
     drawn_ = 0;
+}
+
+bool ProgressOrSignal::operator()(std::uint64_t done, std::uint64_t total) {
+    if (!progress_) progress_.emplace(total);
+    progress_->update(done);
+    return InterruptGuard::signal() == 0;
 }
 
 }  // namespace carom

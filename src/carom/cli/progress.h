@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace carom {
 
@@ -27,6 +28,16 @@ class Progress {
     Clock::time_point start_;
     Clock::time_point next_;
     std::size_t drawn_ = 0;  // columns drawn on the line
+};
+
+/// What a computation calls with the ticks done and their total: shows a progress bar, and is false
+/// after a signal that ends the program.
+class ProgressOrSignal {
+  public:
+    bool operator()(std::uint64_t done, std::uint64_t total);
+
+  private:
+    std::optional<Progress> progress_;
 };
 
 }  // namespace carom

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "carom/cli/load_and_report.h"
 #include "carom/cli/open_recording.h"
 #include "carom/files/files.h"
-#include "carom/files/level_files.h"
 #include "carom/files/print.h"
 #include "carom/play/recording.h"
 #include "lab/run/run_record.h"
@@ -69,12 +69,10 @@ bool read_commands(const RunOptions& options, RunInput& input) {
 
 std::optional<RunInput> open_run_input(const RunOptions& options) {
     if (is_recording(options.level)) return open_recorded(options);
-    LoadedLevel level = load_level_file(options.level, {.overrides = options.overrides,
+    LoadedLevel level = load_and_report(options.level, {.overrides = options.overrides,
                                                         .seed = options.seed,
                                                         .rate = options.rate,
                                                         .solver = options.solver});
-    if (!level.error.empty()) print_error(level.error);
-    print_diagnostics(level.result.diagnostics);
     if (!level.result.scene) return std::nullopt;
     RunInput input;
     input.scene = std::move(*level.result.scene);
