@@ -24,7 +24,7 @@ bool is_over(const Session& session) {
            std::get<PinballState>(session.game()).phase == PinballState::Phase::over;
 }
 
-/// Nobody has begun to play, or a game is over.
+/// Whether nobody has begun to play, or a game is over.
 bool waits_for_player(const Session& session) {
     const PinballState& state = std::get<PinballState>(session.game());
     const bool is_new =
@@ -77,7 +77,7 @@ bool PinballController::take(PlayContext& play, const InputEvent& event) {
     if (event.kind == InputEvent::Kind::mouse) return take_mouse(play, event);
     if (event.kind != InputEvent::Kind::key) return false;
     learn_keys(play);
-    // The key that ends it does nothing else, if it is one of the table's.
+    // A key of the table that ends attract mode does nothing else.
     if (ends_attract && play.keys.button_of(key_of(event))) return true;
     if (feedback_.scores().initials()) {
         feedback_.scores().type(event);

@@ -50,7 +50,7 @@ class PoolController : public FreeController {
     const PoolPlayers& players() const { return players_; }
     /// Whether the player could strike now, with a key or the mouse.
     bool is_striking(const PlayContext& play) const;
-    /// That, and no stroke is in progress.
+    /// Whether the player could strike now, and no stroke is in progress.
     bool is_aiming(const PlayContext& play) const;
     bool aims_with_keys(const PlayContext& play) const;
     /// Shoots; in a match it starts the meter first. False: there is nothing to shoot now.

@@ -12,8 +12,6 @@
 #include "carom/files/menu_list.h"
 #include "carom/text/level_words.h"
 #include "game/rules/goal.h"
-#include "level/text/utf8.h"
-#include "terminal/canvas/character_width.h"
 #include "terminal/panels/pages.h"
 
 namespace carom {
@@ -29,8 +27,6 @@ constexpr std::size_t most_notes = 3;
 constexpr std::string_view own_group = "Yours";
 /// Columns; narrower windows have a shorter last line.
 constexpr int least_long_footer = 54;
-/// The longest text to search for, bytes.
-constexpr std::size_t most_searched = 60;
 
 constexpr std::array<std::string_view, 2> empty_group = {
     "No level in this folder yet.", "Press w in play to save one, or write one."};
@@ -182,89 +178,6 @@ void Menu::search(std::string text) {
     selected_ = same == all.end() ? 0 : static_cast<std::size_t>(same - all.begin());
     seconds_on_selected_ = 0.0;
     needs_draw_ = true;
-}
-
-Menu::Choice Menu::handle(const InputEvent& event) {
-    if (event.kind == InputEvent::Kind::mouse) return handle_mouse(event);
-    if (event.kind == InputEvent::Kind::key && event.action != InputEvent::Action::release)
-        return handle_key(event);
-    return {};
-}
-
-Menu::Choice Menu::handle_key(const InputEvent& event) {
-    constexpr std::size_t page = 10;
-    switch (event.key) {
-        case key::up:
-            select(selected_ > 0 ? selected_ - 1 : 0);
-            return {};
-        case key::down:
-            select(selected_ + 1);
-            return {};
-        case key::left:
-        case key::backtab:
-            open_group_beside(-1);
-            return {};
-        case key::right:
-        case key::tab:
-            open_group_beside(1);
-            return {};
-        case key::page_up:
-            select(selected_ > page ? selected_ - page : 0);
-            return {};
-        case key::page_down:
-            select(selected_ + page);
-            return {};
-        case key::home:
-            select(0);
-            return {};
-        case key::end:
-            select(items_.size());
-            return {};
-        case key::enter:
-            if (const MenuItem* item = selected()) return *item;
-            return {};
-        case key::escape:
-            if (search_.empty()) return Quit{};
-            search({});
-            return {};
-        case key::backspace:
-            while (!search_.empty() && continues_sequence(search_.back()))
-                search_.pop_back();
-            search(search_.substr(0, search_.empty() ? 0 : search_.size() - 1));
-            return {};
-        case U'q':
-            if (search_.empty()) return Quit{};
-            break;
-        default:
-            break;
-    }
-    const char32_t least = search_.empty() ? U' ' + 1 : U' ';
-    const bool is_character = event.key >= least && event.key < 0x110000 && event.key != 0x7f &&
-                              !(event.modifiers & (control | alt));
-    if (is_character && is_one_column(event.key) && search_.size() < most_searched) {
-        std::string text = search_;
-        append_utf8(text, event.key);
-        search(std::move(text));
-    }
-    return {};
-}
-
-Menu::Choice Menu::handle_mouse(const InputEvent& event) {
-    using enum InputEvent::Action;
-    if (event.action == wheel_up) select(selected_ > 0 ? selected_ - 1 : 0);
-    if (event.action == wheel_down) select(selected_ + 1);
-    if (event.action != press) return {};
-    const int column = static_cast<int>(event.column);
-    const int row = static_cast<int>(event.row);
-    if (const auto group = menu_group_at(columns_, page(), column, row)) {
-        open_group(*group);
-        return {};
-    }
-    const auto entry = menu_entry_at(columns_, rows_, page(), column, row);
-    if (!entry) return {};
-    if (*entry == selected_) return *shown()[selected_];
-    select(*entry);
-    return {};
 }
 
 void Menu::look_at_selected() {

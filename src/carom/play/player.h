@@ -52,17 +52,9 @@ class Player {
     void set_keep_going(const KeepGoing& keep_going);
     /// To be called after preferences or the terminal have changed.
     void set_view(const ViewOptions& view);
-    void set_mouse_is_off(bool is_off) { play_.terminal.mouse_is_off = is_off; }
-    /// Whether the terminal reports key releases.
-    void set_key_release(bool tells) { play_.terminal.tells_key_release = tells; }
-    /// How the terminal repeats keys; none: not known yet.
-    void set_key_repeat(const std::optional<KeyRepeatTimes>& times) {
-        play_.terminal.key_repeat = times;
-    }
-    const std::optional<KeyRepeatTimes>& key_repeat() const { return play_.terminal.key_repeat; }
-    /// Whether the terminal's bell rings for kicks at a pinball table.
-    void set_bell(bool rings) { play_.terminal.rings = rings; }
-    bool has_bell() const { return play_.terminal.rings; }
+    /// What is known of the terminal, which the program sets and the game learns.
+    TerminalState& terminal() { return play_.terminal; }
+    const TerminalState& terminal() const { return play_.terminal; }
     /// Whether the bell should ring now; true once.
     bool take_bell();
     void set_high_scores(HighScores scores);

@@ -80,7 +80,7 @@ void Program::set_capabilities(const Capabilities& capabilities) {
         ViewOptions changed = game->player.view();
         changed.look = view().look;
         game->player.set_view(changed);
-        game->player.set_key_release(capabilities.key_release);
+        game->player.terminal().tells_key_release = capabilities.key_release;
     }
     if (auto* menu = std::get_if<Menu>(&page_)) menu->touch();
     if (auto* notice = std::get_if<Notice>(&page_)) notice->needs_draw = true;
@@ -182,11 +182,12 @@ void Program::enter(LevelSource source, Player player, std::optional<Interrupted
         options.look = view().look;
         player.set_view(options);
     }
-    player.set_mouse_is_off(!mouse_);
-    player.set_key_release(capabilities_.key_release);
-    player.set_bell(preferences_.bell);
+    TerminalState& terminal = player.terminal();
+    terminal.mouse_is_off = !mouse_;
+    terminal.tells_key_release = capabilities_.key_release;
+    terminal.rings = preferences_.bell;
+    terminal.key_repeat = preferences_.key_repeat;
     if (PoolPlayers* const players = player.pool_players()) players->set_hand(preferences_.hand);
-    player.set_key_repeat(preferences_.key_repeat);
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
     show_high_scores(player, source.path);

@@ -56,8 +56,8 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
     if (const auto score = game.player.take_high_score())
         keep_score(game.player, game.source.path, *score);
     views_[game.source.path] = game.player.view();
-    if (game.player.has_bell() != preferences_.bell) {
-        preferences_.bell = game.player.has_bell();
+    if (game.player.terminal().rings != preferences_.bell) {
+        preferences_.bell = game.player.terminal().rings;
         keep_setting("bell", preferences_.bell ? "on" : "off");
     }
     if (const auto* const players = game.player.pool_players();
@@ -85,7 +85,7 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
             break;
         case PlayRequest::toggle_mouse:
             mouse_ = !mouse_;
-            game.player.set_mouse_is_off(!mouse_);
+            game.player.terminal().mouse_is_off = !mouse_;
             game.player.say(mouse_ ? "mouse on" : "mouse off: the terminal has it");
             keep_setting("mouse", mouse_ ? "on" : "off");
             break;

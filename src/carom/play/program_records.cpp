@@ -22,7 +22,7 @@ void Program::keep_setting(std::string_view name, std::string_view value) {
 void Program::keep_key_repeat(const RunningGame& game) {
     constexpr double like = 0.15;
     const std::optional<KeyRepeatTimes>& before = preferences_.key_repeat;
-    const std::optional<KeyRepeatTimes>& now = game.player.key_repeat();
+    const std::optional<KeyRepeatTimes>& now = game.player.terminal().key_repeat;
     if (!now || (before && std::abs(now->delay - before->delay) <= like * before->delay &&
                  std::abs(now->period - before->period) <= like * before->period))
         return;

@@ -9,7 +9,6 @@
 #include "carom/pool/pool_status.h"
 #include "game/ai/pool_shots.h"
 #include "game/ai/pool_value.h"
-#include "game/ai/shot_noise.h"
 #include "game/commands/aiming.h"
 #include "game/referees/referee.h"
 #include "geometry/elementary.h"
@@ -23,9 +22,6 @@ constexpr double least_speed = 0.1;
 constexpr double finest_turn = 0.05;  // degrees
 constexpr double break_speed = 8.0;
 constexpr double usual_speed = 2.0;
-/// The time for which a shot is predicted, s: balls roll for half a minute at most.
-constexpr double foresight = 40.0;
-constexpr std::uint64_t cloud_size = 20;
 
 Vec2 place_of(const World& world, BallId ball) {
     return world.balls().position[*index_of(world, ball)];
@@ -179,11 +175,6 @@ void PoolAim::set_match(bool is_match) {
     if (std::exchange(is_match_, is_match) != is_match) is_seen_ = false;
 }
 
-bool PoolAim::is_break(const Session& session) const {
-    const PoolPlay* game = play(session);
-    return game && game->rules.phase == PoolPhase::breaking;
-}
-
 Aids PoolAim::shown_aids() const {
     return is_match_ ? Aids::ghost : setup_.aids;
 }
@@ -271,56 +262,6 @@ command::Strike PoolAim::strike(const Session& session) const {
     if (session.world().model().spin) strike.side = setup_.side;
     if (session.world().model().cloth) strike.follow = setup_.follow;
     return strike;
-}
-
-void PoolAim::look(const Session& session) {
-    const PoolPlay* game = play(session);
-    const ShotsState* shots = shots_of(session);
-    if (!may_aim(session)) {
-        is_seen_ = false;
-        forecast_.reset();
-        cloud_.clear();
-        return;
-    }
-    // A number that identifies the turn and the rack.
-    const std::uint64_t now = game ? std::uint64_t{game->shots} * 64 +
-                                         static_cast<std::uint64_t>(game->rules.phase) * 8 +
-                                         static_cast<std::uint64_t>(game->rules.player)
-                              : shots ? std::uint64_t{shots->games} << 32 | shots->shots
-                                      : 0;
-    if (std::exchange(turn_, now) != now) begin_turn(session);
-    setup_.speed = std::min(setup_.speed, most_speed(session));
-    // The ball in hand was moved: aim anew.
-    if (!has_aimed_ && may_place(session) && positions_ != session.world().balls().position)
-        aim_at_nearest(session);
-    if (is_seen_ && seen_setup_ == setup_ && positions_ == session.world().balls().position) return;
-    is_seen_ = true;
-    seen_setup_ = setup_;
-    positions_ = session.world().balls().position;
-    cloud_.clear();
-    cloud_shots_ = 0;
-    forecast_.reset();
-    if (is_match_ || is_break(session)) return;
-    Solver solver(session.solver());
-    forecast_ = forecast(session.scene(), session.world(), session.game(), solver, strike(session),
-                         foresight, Tracks::all);
-}
-
-bool PoolAim::has_work() const {
-    return setup_.aids == Aids::cloud && forecast_ && cloud_shots_ < cloud_size;
-}
-
-bool PoolAim::work(const Session& session) {
-    if (!has_work() || !may_aim(session)) return false;
-    const ShotNoise usual;
-    const command::Strike off = with_noise(strike(session), usual, most_speed(session),
-                                           session.world().seed(), cloud_shots_++);
-    Solver solver(session.solver());
-    const Forecast ahead = forecast(session.scene(), session.world(), session.game(), solver, off,
-                                    foresight, Tracks::all);
-    for (const Forecast::Track& track : ahead.tracks)
-        cloud_.push_back({track.ball, track.way.back(), track.zone.has_value()});
-    return true;
 }
 
 }  // namespace carom

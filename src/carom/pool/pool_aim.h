@@ -97,7 +97,7 @@ class PoolAim {
     std::optional<int> nearest_pocket(const Session& session, Vec2 object, Vec2 way) const;
 
     ShotSetup setup_;
-    std::optional<BallId> chosen_;  ///< of several; of no meaning once it is another player's turn
+    std::optional<BallId> chosen_;  ///< of several; void in another player's turn
     bool is_match_ = false;
     bool has_aimed_ = false;  ///< the player has aimed in this turn, so the bearing is kept
     std::size_t pot_ = 0;

@@ -42,7 +42,7 @@ std::optional<std::string> PoolPlayers::tell_outcome(const Session& session) {
     return announcer_.tell(session, names());
 }
 
-// The opponent needs no clock, and whoever looks back at the past is not hurried.
+// No clock runs for the opponent, nor while the player looks at the past.
 void PoolPlayers::count_time(PlayContext& play, double seconds) {
     const Session& session = play.session;
     if (play.clock.is_paused() || is_opponents_turn(session) ||

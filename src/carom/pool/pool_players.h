@@ -42,7 +42,7 @@ class PoolPlayers {
 
     /// What the person had done in matches before this game.
     void set_record(const PoolRecord& record) { record_ = record; }
-    /// That, and what has been counted since.
+    /// The record before this game, and what has been counted since.
     PoolRecord record() const;
     /// What has been counted since the last call. Unless `all`, only once a frame has ended.
     std::optional<PoolRecord> take_record(bool all);

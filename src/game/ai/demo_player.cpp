@@ -32,7 +32,7 @@ constexpr double shot_error = 0.045;           // most, to either side
 constexpr int shot_reach = 3;                  // in steps
 constexpr double shot_time = 2.0;              // in which a shot reaches its device
 
-// What it presses a button for, and what it nudges for: a ball that would be lost.
+// The least gain for which it presses a button, and for which it nudges: a ball that would be lost.
 constexpr double least_gain = 4.0;
 constexpr double nudge_gain = 40.0;
 
@@ -59,7 +59,7 @@ double meeting_value(const Foreseen& way) {
 
 }  // namespace
 
-// In -most..most, small errors being more likely: the sum of two uniform ones.
+// In -most..most, small errors being more likely: the sum of two uniform random numbers.
 double DemoPlayer::error(const World& world, double most) {
     const auto draw = [&] {
         return random_between(-0.5 * most, 0.5 * most, world.seed(), RandomStream::player, 2000,
@@ -69,7 +69,7 @@ double DemoPlayer::error(const World& world, double most) {
     return first + draw();
 }
 
-// The game as the player sees it: how fast a ball is it judges by eye.
+// The game as the player sees it, with speeds judged by eye.
 PinballTrial DemoPlayer::seen(const Game& game) {
     PinballTrial trial{game.world, game.state};
     for (std::size_t i = 0; i < trial.world.balls().size(); ++i) {
@@ -88,8 +88,8 @@ void DemoPlayer::follow(const Game& game, const PinballOption& option) {
     acted_at_ = game.world.tick();
 }
 
-// Begins to think of a ball that lies in a cradle, thinks on, or shoots. False: there is none, or a
-// ball comes that does not lie in one.
+// Plans a shot with a ball that lies in a cradle, one trial at a time, and shoots it. False: no
+// ball lies in a cradle, or another one is coming.
 bool DemoPlayer::aim(const Game& game, const std::vector<std::size_t>& near) {
     std::optional<std::size_t> flipper;
     for (const std::size_t ball : near) {
@@ -184,7 +184,7 @@ void DemoPlayer::meet(const Game& game, std::size_t ball) {
     for (std::size_t i = 1; i < options.size(); ++i)
         values[(i - 1) % 2].push_back(meeting_value(options[i].foreseen));
     const double idle = meeting_value(options[0].foreseen);
-    // Balls that lean on each other in one cradle would lie there for ever.
+    // Balls that lean on each other in one cradle would otherwise lie there for ever.
     const bool must_act = game.world.tick() > acted_at_ + pinball_ticks(game.world, longest_rest) &&
                           options.size() > 1;
     double most = must_act ? -1e9 : idle + least_gain;
@@ -205,7 +205,7 @@ void DemoPlayer::meet(const Game& game, std::size_t ball) {
         }
     }
     if (best == 0) return;
-    // What is due later is decided later, from nearer by.
+    // A press that is due later is decided later, when the ball is nearer.
     PinballOption chosen = options[best];
     if (chosen.presses.front().after > pinball_ticks(game.world, decides_every + pinball_reaction))
         return;

@@ -17,9 +17,9 @@ class PinballSight {
     /// Keeps a reference to the scene.
     explicit PinballSight(const Scene& scene);
 
-    /// Whether the table has two flippers between which balls drain. Pre of all that follows.
+    /// Whether the table has two flippers between which balls drain. All functions below need it.
     bool has_pair() const { return has_pair_; }
-    /// Whether a ball is so far down that it is soon a matter for the flippers.
+    /// Whether a ball is so low that the flippers must soon deal with it.
     bool is_near(const World& world, std::size_t ball) const;
     /// Whether a ball has fallen past the lower flippers, between or beside them.
     bool is_lost(const World& world, std::size_t ball) const;

@@ -139,7 +139,8 @@ void add_shot(Digest& digest, const PoolShot& shot) {
 
 constexpr std::size_t usual_balls = 16;
 
-// Later members count only where a game uses them, so that older recordings keep their marks.
+// Members that came later count only where a game uses them, so that older recordings keep their
+// fingerprints.
 void add_later(Digest& digest, const PoolPlay& play) {
     const auto add = adding_to(digest);
     const PoolState& rules = play.rules;

@@ -35,7 +35,7 @@ struct Offence {
     PoolFoul foul = PoolFoul::none;
     int penalty = 0;
 };
-/// The first foul of the stroke; the penalty is that of the dearest ball concerned.
+/// The first foul of the stroke; the penalty is that of the most valuable ball concerned.
 Offence offence_of(const PoolState& state, const Task& task, const PoolShot& shot);
 
 /// The points of a fair stroke.

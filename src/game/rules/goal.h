@@ -9,7 +9,7 @@
 /// The goal of a level (`goal`, LevelGoal): whether it is reached, how well, and in words.
 namespace carom {
 
-/// What has been spent on a goal so far, and whether it was reached. Plain state of a game.
+/// What a goal has cost so far, and whether it was reached. Plain state of a game.
 struct GoalState {
     std::uint32_t shots = 0;
     std::uint64_t begun = 0;  ///< the tick in which the game began

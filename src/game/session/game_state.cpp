@@ -13,12 +13,8 @@
 namespace carom {
 namespace {
 
-std::uint64_t digest_of(const World& world, const PinballState& s, int version) {
-    Digest digest(fingerprint(world, version));
-    // Ramps change the kinds of balls, which fingerprint version 1 leaves out.
-    if (version == 1 && kinds_of_a_layer(world) < world.kinds().size())
-        for (const ClassIndex kind : world.balls().kind)
-            digest.add(std::uint64_t{kind});
+// The state of the game, and of the player's hands.
+void add_play(Digest& digest, const PinballState& s) {
     for (const std::uint64_t value : {static_cast<std::uint64_t>(s.phase),
                                       s.phase_until,
                                       static_cast<std::uint64_t>(s.score),
@@ -45,13 +41,17 @@ std::uint64_t digest_of(const World& world, const PinballState& s, int version) 
     digest.add(s.pull);
     digest.add(s.nudge);
     digest.add(s.tilt_meter);
-    // What a button for another player is doing matters only while it is down: recordings from
-    // before there was one keep their marks.
+    // What a button for another player is doing matters only while it is down: older
+    // recordings, which have none, keep their fingerprints.
     for (int button = 0; button < button_count; ++button) {
         const bool is_down = s.is_down[static_cast<std::size_t>(button)];
         if (is_down || static_cast<Button>(button) != Button::add_player)
             digest.add(std::uint64_t{is_down});
     }
+}
+
+// What the devices of the table do, and which balls they watch.
+void add_devices(Digest& digest, const PinballState& s) {
     for (std::size_t i = 0; i < s.is_lit.size(); ++i) {
         digest.add(std::uint64_t{s.is_lit[i]} * 2 + s.is_rising[i]);
         digest.add(s.turning[i]);
@@ -81,6 +81,16 @@ std::uint64_t digest_of(const World& world, const PinballState& s, int version) 
         digest.add(watch.since);
         digest.add(std::uint64_t{watch.searches});
     }
+}
+
+std::uint64_t digest_of(const World& world, const PinballState& s, int version) {
+    Digest digest(fingerprint(world, version));
+    // Ramps change the kinds of balls, which fingerprint version 1 leaves out.
+    if (version == 1 && kinds_of_a_layer(world) < world.kinds().size())
+        for (const ClassIndex kind : world.balls().kind)
+            digest.add(std::uint64_t{kind});
+    add_play(digest, s);
+    add_devices(digest, s);
     add_to(digest, s.rules);
     if (s.goal.done) add_to(digest, s.goal);
     if (s.has_replay) digest.add(std::uint64_t{1});

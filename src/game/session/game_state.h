@@ -63,7 +63,7 @@ std::vector<std::pair<std::string, std::int64_t>> tallies(const GameState& game)
 
 /// The state of the level's rules; null: it has none.
 const RuleState* rule_state(const GameState& game);
-/// How far the goal of the level is; null: it has none.
+/// The state of the level's goal; null: it has none.
 const GoalState* goal_state(const GameState& game);
 /// The stars of a goal that is reached, 0 to most_stars.
 int stars_of(const GameState& game);

@@ -241,9 +241,9 @@ std::optional<Breach> InvariantCheck::check_finite(const World& world) const {
     return std::nullopt;
 }
 
-// What movers may have given in the tick: of each contact the impulse times the velocity of the
-// edge there, and friction, at most, along it. A ball leaves a mover with a little speed of its own
-// even if it came with none (laws/bounce.h).
+// The most energy that movers may have given in the tick: for each contact, the impulse times the
+// velocity of the edge there, and at most that of friction along it. A ball leaves a mover with a
+// little speed of its own even if it came with none (laws/bounce.h).
 double InvariantCheck::most_work_of_movers(const World& world,
                                            std::span<const Contact> contacts) const {
     double work = 0.0;
@@ -281,7 +281,7 @@ std::optional<Breach> InvariantCheck::check_energy(const World& world,
                                                    std::span<const Contact> contacts) {
     const double energy = energy_of(world);
     scale_ = std::max(scale_, kinetic_energy_of(world));
-    // A ball may come and go within the tick, and meet another one meanwhile.
+    // A ball may appear and be removed within the tick, and meet another one in between.
     if (!promise_.energy || ids_ != world.balls().id || next_ball_ != world.next_ball()) {
         baseline_ = energy;
         clustered_gain_ = 0.0;

@@ -112,7 +112,7 @@ class InvariantCheck {
     std::size_t escaped_ = 0;
     std::vector<std::pair<CapsuleId, Capsule>> outlines_;  // as they were at the start
     std::vector<std::pair<CapsuleId, Capsule>> moved_;     // edges of movers, before the tick
-    bool reports_impulses_ = true;                         // the solver does, of all contacts
+    bool reports_impulses_ = true;                         // the solver, of all contacts
     Stamps stamps_;                                        // after the last tick
     double energy_ = 0.0;                                  // after the last tick
     std::uint64_t tick_ = 0;

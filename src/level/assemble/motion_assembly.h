@@ -14,8 +14,8 @@ class MotionAssembly {
     MotionAssembly(const ResolvedNames& names, Context& context)
         : names_(names), context_(context), ir_(context.ir) {}
 
-    /// Reports motions of nothing. Call before edges are amended: all edges of a motion may be
-    /// removed in play.
+    /// Reports motions that move nothing. Call before edges are amended: all edges of a motion may
+    /// be removed in play.
     void check_names();
 
     /// Finds the edges of each motion, and puts them where its clock has them. Reports motions of

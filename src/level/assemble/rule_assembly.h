@@ -35,7 +35,7 @@ class RuleAssembly {
     bool has_game() const { return is_pinball() || ir_.settings.is_shots; }
     std::nullopt_t refuse(FaultCode code, const Word& at, std::string message, std::string remedy);
 
-    // rule_assembly.cpp: rules
+    // rule_assembly.cpp: rules; rule_names.cpp: events of balls, by what their names denote
     void resolve_rule(RuleIr& spec);
     bool resolve_subject(RuleIr& spec);
     bool resolve_moment(const RuleIr& spec);

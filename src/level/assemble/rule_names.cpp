@@ -180,4 +180,84 @@ std::optional<std::vector<std::uint32_t>> RuleAssembly::resolve(
     return meanings;
 }
 
+// Two balls meet, or a ball meets an edge: on BALLS hit BALLS|EDGE, on EDGE hit [BALLS], on BALLS
+// rail [EDGE].
+bool RuleAssembly::resolve_meeting(RuleIr& spec) {
+    Rule& rule = spec.rule;
+    const auto balls = find_balls(spec.subject.text);
+    if (!balls) {
+        const auto edge = place_named(spec.subject, true);
+        if (!edge) return false;
+        const auto other = spec.other ? balls_named(*spec.other) : std::nullopt;
+        if (spec.other && !other) return false;
+        rule.event = RuleEvent::edge_hit;
+        rule.subject = *edge;
+        rule.other = other.value_or(no_subject);
+        return true;
+    }
+    if (!spec.other && rule.event == RuleEvent::hit) {
+        refuse("event-incomplete", spec.event, fmt::format("'{}' hits what?", spec.subject.text),
+               "write hit and the name of balls, or ball for any; rail for a cushion");
+        return false;
+    }
+    rule.subject = *balls;
+    if (!spec.other) return true;
+    const auto others = rule.event == RuleEvent::hit ? find_balls(spec.other->text)
+                                                     : std::optional<std::uint32_t>{};
+    if (others) {
+        rule.event = RuleEvent::balls_meet;
+        rule.other = *others;
+        return true;
+    }
+    const auto edge = place_named(*spec.other, true);
+    if (!edge) return false;
+    rule.event = RuleEvent::edge_hit;
+    rule.subject = *edge;
+    rule.other = *balls;
+    return true;
+}
+
+// on PLACE enter|leave [BALLS], on BALLS enter|leave PLACE, on BALLS pocketed [PLACE].
+bool RuleAssembly::resolve_visit(RuleIr& spec) {
+    Rule& rule = spec.rule;
+    const bool is_pocketed = rule.event == RuleEvent::pocketed;
+    if (rule.event == RuleEvent::enter) rule.event = RuleEvent::place_entered;
+    const auto balls = is_pocketed ? balls_named(spec.subject) : find_balls(spec.subject.text);
+    if (is_pocketed && !balls) return false;
+    if (balls && !is_pocketed && !spec.other) {
+        refuse("event-incomplete", spec.event,
+               fmt::format("'{}' enters or leaves what?", spec.subject.text),
+               "write the name of a zone behind it");
+        return false;
+    }
+    std::optional<std::uint32_t> place;
+    std::optional<std::uint32_t> who = balls;
+    if (balls) {
+        if (spec.other && !(place = place_named(*spec.other, false))) return false;
+    } else {
+        if (!(place = place_named(spec.subject, false))) return false;
+        if (spec.other && !(who = balls_named(*spec.other))) return false;
+    }
+    rule.subject = is_pocketed ? *balls : *place;
+    rule.other = is_pocketed ? place.value_or(no_subject) : who.value_or(no_subject);
+    return true;
+}
+
+bool RuleAssembly::resolve_ball_event(RuleIr& spec) {
+    using enum RuleEvent;
+    if (spec.subject.text == "it" || (spec.other && spec.other->text == "it")) {
+        refuse("it-without-ball", spec.subject.text == "it" ? spec.subject : *spec.other,
+               "an event names the ball, and its conditions and actions call it 'it'",
+               "write ball for any ball, or a name");
+        return false;
+    }
+    if (spec.rule.event == all) {
+        refuse("event-of-other-game", spec.event, "only parts of a pinball table light up",
+               "count with a variable instead");
+        return false;
+    }
+    if (spec.rule.event == hit || spec.rule.event == rail) return resolve_meeting(spec);
+    return resolve_visit(spec);
+}
+
 }  // namespace carom
