@@ -223,6 +223,26 @@ TEST_CASE("movers: one that does not run is a fixed edge, and costs what that co
     }
 }
 
+TEST_CASE("movers: one that stops waits where it is until it is started again") {
+    for (const SolverKind kind : all_solvers) {
+        CAPTURE(name(kind));
+        World world = scenes::empty();
+        world.edit_definition().rate = 100.0;
+        const CapsuleId edge =
+            add_moved(world, {.period = 1.0, .angle = 2.0 * pi, .stops = 2}, {{}, {1.0, 0.0}, 0.1});
+        const auto end = [&] { return world.capsules().shape[*index_of(world, edge)].end; };
+        Solver solver({.kind = kind});
+        for (int round = 0; round < 3; ++round) {
+            CAPTURE(round);
+            for (int tick = 0; tick < 70; ++tick)
+                solver.tick(world);
+            CHECK_FALSE(world.movers()[0].runs);
+            CHECK(distance(end(), {round % 2 == 0 ? -1.0 : 1.0, 0.0}) < 1e-9);
+            world.edit_movers()[0].runs = true;
+        }
+    }
+}
+
 TEST_CASE("movers: a copy of the world continues with the same bits, also under a new solver") {
     for (const SolverKind kind : all_solvers) {
         CAPTURE(name(kind));
