@@ -70,6 +70,7 @@ class PinballAnswers : public RuleHost {
         const auto is_lit = [&](std::uint32_t device) { return state_.is_lit[device] != 0; };
         return {std::ssize(devices), std::ranges::count_if(devices, is_lit)};
     }
+    bool moves(std::uint32_t mover) const override { return world_.movers()[mover].runs; }
     void act(const RuleAction&, std::int64_t, int) override {}
 
   private:
@@ -236,7 +237,7 @@ std::string task_text(const Scene& scene, const World& world, const PinballState
     if (scene.rules.tasks.empty() && scene.rules.goals.empty()) return {};
     const PinballAnswers answers(scene, world, state);
     std::string task = task_text(scene.rules, state.rules, answers);
-    return task.empty() ? goal_text(scene.rules, answers, state.goal) : task;
+    return task.empty() ? goal_text(scene.rules, state.goal) : task;
 }
 
 std::span<const std::uint32_t> shots_to_make(const Scene& scene, const World& world,

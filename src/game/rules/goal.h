@@ -18,7 +18,8 @@ struct GoalState {
     struct Done {
         std::uint32_t shots = 0;
         std::uint64_t tick = 0;
-        int stars = 0;  ///< 0: not within the limits, to 3
+        int stars = 0;       ///< 0: not within the limits, to 3
+        double spent = 0.0;  ///< of what the goal counts
 
         friend bool operator==(const Done&, const Done&) = default;
     };
@@ -30,15 +31,15 @@ struct GoalState {
 inline constexpr int most_stars = 3;
 
 /// Three stars within the first limit, two within the second, one within the third, else none; a
-/// goal without limits gives three.
+/// goal without limits gives three. Of a goal that counts a value, the limits are the least.
 int stars_within(const LevelGoal& goal, double spent);
 
 /// Notes that the level's goal is reached, if it is. Pre: the tick is over.
 void note_goal(const RuleBook& book, const RuleState& rules, const RuleHost& host, GoalState& goal);
 
-/// "Clear the table. Within 2 3 4 shots"; once it is reached "Done in 3 shots: 2 of 3 stars";
-/// empty: the level has no goal.
-std::string goal_text(const RuleBook& book, const RuleHost& host, const GoalState& goal);
+/// "Clear the table. (1 of 4 shots)"; once it is reached "Done in 3 shots: 2 of 3 stars"; empty:
+/// the level has no goal.
+std::string goal_text(const RuleBook& book, const GoalState& goal);
 
 /// Adds the state to a fingerprint.
 void add_to(Digest& digest, const GoalState& goal);

@@ -69,6 +69,7 @@ bool holds(const RuleBook& book, const RuleState& state, const RuleHost& host,
     using Relation = RuleCondition::Relation;
     if (condition.what == RuleCondition::What::running)
         return state.timer_ends[condition.index] > 0;
+    if (condition.what == RuleCondition::What::moving) return host.moves(condition.index);
     if (condition.what == RuleCondition::What::lit) {
         const auto [all, lit] = host.lights(condition.index);
         return all > 0 && lit == all;

@@ -31,6 +31,8 @@ class RuleHost {
     virtual std::int64_t count(const RuleBalls& balls, const RulePlace* place) const = 0;
     /// How many devices of a group there are, and how many of them are lit.
     virtual std::pair<std::int64_t, std::int64_t> lights(std::uint32_t group) const = 0;
+    /// Whether the mover with this index runs.
+    virtual bool moves(std::uint32_t mover) const = 0;
     /// Carries out an action that is not about variables and timers. `value` is that of its
     /// RuleAction::value. `depth` grows with each event that an action causes in turn.
     virtual void act(const RuleAction& action, std::int64_t value, int depth) = 0;

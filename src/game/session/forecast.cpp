@@ -46,6 +46,12 @@ void note_first_hit(Forecast& ahead, const Solver& solver, BallId struck) {
     }
 }
 
+// Whether the balls lie still and the rules have yet to judge the shot (RuleBook::settle).
+bool is_settling(const GameState& game) {
+    const auto* const shots = std::get_if<ShotsState>(&game);
+    return shots && shots->is_shooting && shots->rested > 0;
+}
+
 }  // namespace
 
 Forecast forecast(const Scene& scene, const World& world, const GameState& game, Solver& solver,
@@ -57,7 +63,8 @@ Forecast forecast(const Scene& scene, const World& world, const GameState& game,
     if (tracks == Tracks::all) begin_tracks(ahead);
     const std::size_t removals = world.removed().size();
     const auto ticks = static_cast<std::uint64_t>(seconds * world.rate());
-    for (std::uint64_t tick = 0; tick < ticks && !ahead.comes_to_rest; ++tick) {
+    for (std::uint64_t tick = 0; tick < ticks && (!ahead.comes_to_rest || is_settling(ahead.game));
+         ++tick) {
         solver.tick(ahead.world);
         note_first_hit(ahead, solver, strike.ball);
         ahead.comes_to_rest = is_at_rest(ahead.world);

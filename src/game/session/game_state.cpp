@@ -300,7 +300,7 @@ std::string task_text(const Scene& scene, const World& world, const GameState& g
     if (const auto* shots = std::get_if<ShotsState>(&game)) return task_text(scene, world, *shots);
     if (const auto* pinball = std::get_if<PinballState>(&game))
         return task_text(scene, world, *pinball);
-    if (const auto* goal = std::get_if<GoalPlay>(&game)) return task_text(scene, world, *goal);
+    if (const auto* goal = std::get_if<GoalPlay>(&game)) return task_text(scene, *goal);
     return {};
 }
 

@@ -29,6 +29,7 @@ class GoalAnswers final : public RuleHost {
         return there;
     }
     std::pair<std::int64_t, std::int64_t> lights(std::uint32_t) const override { return {0, 0}; }
+    bool moves(std::uint32_t mover) const override { return world_.movers()[mover].runs; }
     void act(const RuleAction&, std::int64_t, int) override {}
 
   private:
@@ -68,21 +69,20 @@ std::optional<GoalPlay> begin_goal(const Scene& scene) {
 
 void update_goal(const Scene& scene, const World& world, GoalPlay& play) {
     const LevelGoal& goal = scene.rules.goals.front();
-    if (!goal.counts_seconds && (play.is_void || play.goal.shots == 0)) return;
+    if (goal.counts != LevelGoal::Counts::seconds && (play.is_void || play.goal.shots == 0)) return;
     note_goal(scene.rules, play.rules, GoalAnswers(scene, world, play), play.goal);
 }
 
 void execute(const Scene& scene, World& world, GoalPlay& play, const Command& command) {
     execute(world, command);
     if (std::holds_alternative<command::Strike>(command)) ++play.goal.shots;
-    const bool counts_shots = !scene.rules.goals.front().counts_seconds;
+    const bool counts_shots = scene.rules.goals.front().counts != LevelGoal::Counts::seconds;
     if (counts_shots && !play.goal.done && is_by_hand(command)) play.is_void = true;
 }
 
-std::string task_text(const Scene& scene, const World& world, const GoalPlay& play) {
-    const GoalAnswers answers(scene, world, play);
+std::string task_text(const Scene& scene, const GoalPlay& play) {
     if (play.is_void && play.goal.shots > 0) return "Moved by hand: restart for the goal.";
-    return goal_text(scene.rules, answers, play.goal);
+    return goal_text(scene.rules, play.goal);
 }
 
 std::uint64_t digest_of(std::uint64_t start, const GoalPlay& play) {

@@ -35,7 +35,7 @@ void update_goal(const Scene& scene, const World& world, GoalPlay& play);
 void execute(const Scene& scene, World& world, GoalPlay& play, const Command& command);
 
 /// The goal, and how far it is.
-std::string task_text(const Scene& scene, const World& world, const GoalPlay& play);
+std::string task_text(const Scene& scene, const GoalPlay& play);
 
 /// The digest of the whole state, combined with `start`.
 std::uint64_t digest_of(std::uint64_t start, const GoalPlay& play);

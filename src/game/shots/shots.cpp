@@ -67,6 +67,7 @@ void conclude(ShotsPlay& play) {
 
 void end_shot(ShotsPlay& play) {
     play.state.is_shooting = false;
+    play.state.rested = 0;
     happen(play.rules(), RuleEvent::shot_ends);
     happen(play.rules(), RuleEvent::shot_judged);
     conclude(play);
@@ -164,7 +165,9 @@ void update_shots(const Scene& scene, World& world, ShotsState& state,
     if (std::exchange(state.rules.turn_is_new, false)) begin_turn(play);
     end_timers(play.rules());
     if (state.is_shooting) happen_in_tick(play, contacts);
-    if (state.is_shooting && is_at_rest(world))
+    state.rested = state.is_shooting && is_at_rest(world) ? state.rested + 1 : 0;
+    const double settled = scene.rules.settle * world.rate();
+    if (state.rested > 0 && static_cast<double>(state.rested) >= settled)
         end_shot(play);
     else if (!state.is_shooting && state.verdict != Verdict::none)
         conclude(play);  // of a timer, between two shots
@@ -212,6 +215,7 @@ std::uint64_t digest_of(std::uint64_t start, const ShotsState& state) {
         }
     }
     if (state.struck) add(*state.struck);
+    if (state.rested > 0) add(state.rested);
     add_to(digest, state.goal);
     return digest.value();
 }

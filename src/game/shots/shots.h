@@ -14,10 +14,10 @@
 /// `game shots`: players take shots in turn, and the rules of the level judge them
 /// (level/scene/rules.h).
 ///
-/// A shot begins with a strike and ends in the first tick in which all balls are at rest. Then
-/// `shot ends` happens, then `shot judged`, and then what the rules have decided: the game ends, or
-/// the turn passes, or the same player shoots again. A cue ball that is off the table returns to
-/// its start before its player shoots.
+/// A shot begins with a strike and ends in the first tick in which all balls are at rest, or have
+/// been for RuleBook::settle. Then `shot ends` happens, then `shot judged`, and then what the rules
+/// have decided: the game ends, or the turn passes, or the same player shoots again. A cue ball
+/// that is off the table returns to its start before its player shoots.
 namespace carom {
 
 /// None unless the level says `game shots`.

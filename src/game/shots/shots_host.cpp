@@ -20,8 +20,16 @@ void respot(ShotsPlay& play, const RuleAction& action) {
     const RulePlace* const place =
         action.place < 0 ? nullptr
                          : &play.scene.rules.places[static_cast<std::size_t>(action.place)];
-    for (std::uint32_t ball = 0; ball < play.state.balls.size(); ++ball) {
-        if (!play.is_meant(balls, ball)) continue;
+    std::vector<std::uint32_t> meant;
+    for (std::uint32_t ball = 0; ball < play.state.balls.size(); ++ball)
+        if (play.is_meant(balls, ball)) meant.push_back(ball);
+    // None of them is in the way of another.
+    for (const std::uint32_t ball : meant)
+        if (std::optional<BallId>& id = play.state.balls[ball]) {
+            remove_ball(play.world, *id);
+            id.reset();
+        }
+    for (const std::uint32_t ball : meant) {
         if (!place) {
             put(play, ball, start_of(play.scene, ball));
             continue;

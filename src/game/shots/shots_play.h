@@ -24,6 +24,7 @@ class ShotsAnswers : public RuleHost {
     std::int64_t quantity(RuleQuantity what) const override;
     std::int64_t count(const RuleBalls& balls, const RulePlace* place) const override;
     std::pair<std::int64_t, std::int64_t> lights(std::uint32_t) const override { return {0, 0}; }
+    bool moves(std::uint32_t mover) const override { return world_.movers()[mover].runs; }
     void act(const RuleAction&, std::int64_t, int) override {}
 
     /// Whether ball number `ball` is one of these; `it` is known too.

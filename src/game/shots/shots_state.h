@@ -34,6 +34,7 @@ struct ShotsState {
     /// that is on the table.
     std::optional<std::uint32_t> struck;
     bool is_shooting = false;
+    std::uint32_t rested = 0;  ///< ticks of this shot for which all balls have lain still
     /// What the rules have decided, and what happens after `shot judged`.
     enum class Verdict : std::uint8_t { none, turn, win, lose, end };
     Verdict verdict = Verdict::none;

@@ -58,7 +58,7 @@ std::string task_text(const Scene& scene, const World& world, const ShotsState& 
     if (!state.goal.done)
         if (std::string task = task_text(scene.rules, state.rules, answers); !task.empty())
             return task;
-    return goal_text(scene.rules, answers, state.goal);
+    return goal_text(scene.rules, state.goal);
 }
 
 }  // namespace carom

@@ -161,7 +161,8 @@ void fill_in_pool(const std::vector<StartingBall>& balls,
     for (const CueIr& cue : ir.cues) {
         const std::vector<BallId> struck = balls_of_cue(scene, cue.ball.text, balls, ir);
         if (!struck.empty()) {
-            scene.pool.cues.push_back({struck.front(), struck, cue.least_power, cue.most_power});
+            scene.pool.cues.push_back(
+                {struck.front(), struck, cue.least_power, cue.most_power, cue.scatter});
             scene.pool.cue = scene.pool.cues.front();
             continue;
         }

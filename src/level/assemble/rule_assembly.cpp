@@ -199,6 +199,7 @@ void RuleAssembly::resolve_goals() {
         const auto meanings = resolve(spec.names);
         if (!meanings) continue;
         renumber(spec.goal.needs, *meanings);
+        renumber(spec.goal.value, *meanings);
         book_.goals.push_back(spec.goal);
     }
 }
@@ -209,6 +210,8 @@ void RuleAssembly::check() {
     book_.players = ir_.settings.players;
     book_.is_shots = ir_.settings.is_shots;
     book_.least_wins = ir_.settings.least_wins;
+    book_.settle = ir_.settings.settle;
+    book_.may_miss = ir_.settings.may_miss;
     if (!check_placement()) return;
     for (RuleIr& rule : ir_.rules)
         resolve_rule(rule);

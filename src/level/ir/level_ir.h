@@ -116,6 +116,7 @@ struct CueIr {
     Word ball;
     double least_power = 0.0;
     double most_power = 0.0;
+    double scatter = 0.0;  ///< degrees
 };
 
 struct EmitterIr {
@@ -240,6 +241,8 @@ struct LevelSettings {
     PoolRules rules;         ///< of a game of pool
     std::uint32_t players = 1;
     bool least_wins = false;  ///< of `game shots`
+    bool may_miss = false;    ///< of `game shots`: RuleBook::may_miss
+    double settle = 0.0;      ///< of `game shots`, s
     bool is_shots = false;
 };
 

@@ -64,7 +64,7 @@ std::span<const GameRow> game_rows() {
          .rack = rack_layout("rack triangle"),
          .others = {"yellow", "green", "brown", "blue", "pink", "black"}},
         {.name = "pinball", .family = pinball},
-        {.name = "shots", .family = shots, .keys = {"players", "wins"}},
+        {.name = "shots", .family = shots, .keys = {"players", "wins", "stroke", "settle"}},
     }};
     return all;
 }

@@ -18,6 +18,7 @@ struct Cue {
     std::vector<BallId> balls{};
     double least_power = 0.0;
     double most_power = 0.0;
+    double scatter = 0.0;  ///< standard deviation of the direction of a player's strokes, degrees
 };
 
 struct Rack {

@@ -124,6 +124,7 @@ struct RuleCondition {
     enum class What : std::uint8_t {
         lit,      ///< all devices of the group are lit
         running,  ///< the timer runs
+        moving,   ///< the mover `index` runs
         compare   ///< left and right
     };
     enum class Relation : std::uint8_t { equal, unequal, less, at_most, more, at_least };
@@ -258,8 +259,12 @@ struct RuleTask {
 struct LevelGoal {
     std::string text;
     std::vector<RuleClause> needs;
-    bool counts_seconds = false;  ///< else shots
-    std::vector<double> limits;   ///< at most so many seconds or shots; ascending
+    enum class Counts : std::uint8_t { shots, seconds, value };
+    Counts counts = Counts::shots;
+    RuleValue value{};  ///< what is counted, of Counts::value
+    /// For three stars, two and one: at most so many shots or seconds, ascending; or at least that
+    /// value, descending.
+    std::vector<double> limits;
 };
 
 /// All rules of a level.
@@ -275,6 +280,8 @@ struct RuleBook {
 
     bool is_shots = false;    ///< `game shots`
     bool least_wins = false;  ///< the lowest score wins
+    double settle = 0.0;      ///< s that the balls lie before a shot is judged, to be looked at
+    bool may_miss = false;    ///< a stroke may fail, as in a match of pool: `stroke=hand`
 
     /// Rules by event, and by subject where that is a device or a timer, so that an event looks at
     /// its own rules only: order[first .. last) of its row. Made by index_rules().

@@ -69,6 +69,8 @@ void set_players(const Arguments& arguments, bool is_shots, Context& context) {
     }
     settings.is_shots = is_shots;
     settings.least_wins = is_special(arguments, "wins", "least", "most", context);
+    settings.settle = arguments.number_or("settle", 0.0);
+    settings.may_miss = is_special(arguments, "stroke", "hand", "exact", context);
 }
 
 void set_game(const Arguments& arguments, const Frame&, Context& context) {
@@ -92,12 +94,13 @@ void set_game(const Arguments& arguments, const Frame&, Context& context) {
         if (owners.empty() && family != shots && is_of_pool == (family == pool)) continue;
         context.reporter.error("game-key-of-other-game", arguments.span_of(key),
                                fmt::format("game {} has no {}=", word.text, key),
-                               !owners.empty()   ? fmt::format("{}= belongs to {}", key, owners)
-                               : family == shots ? "game shots has players= and wins="
-                               : family == pool  ? "a game of pool has race=, clock=, stalemate=, "
-                                                   "breaks= and first="
-                                                 : "race=, clock=, stalemate=, breaks= and first= "
-                                                   "belong to games of pool");
+                               !owners.empty() ? fmt::format("{}= belongs to {}", key, owners)
+                               : family == shots
+                                   ? "game shots has players=, wins=, stroke= and settle="
+                               : family == pool ? "a game of pool has race=, clock=, stalemate=, "
+                                                  "breaks= and first="
+                                                : "race=, clock=, stalemate=, breaks= and first= "
+                                                  "belong to games of pool");
         return;
     }
     if (!game) {
@@ -127,7 +130,7 @@ std::vector<Statement> game_statements() {
         " [race=N] [clock=TIME] [stalemate=N] [breaks=turns|winner] [first=player1|toss] "
         "[fouls=N] [nine=wins|spotted] [points=N] [balls=N] [save=TIME] [tilt=N] [bonus=N] "
         "[replay=N] "
-        "[highscores=N] [players=N] [wins=most|least]";
+        "[highscores=N] [players=N] [wins=most|least] [stroke=exact|hand] [settle=TIME]";
     return {
         {.name = "game",
          .usage = game_usage,
@@ -150,7 +153,9 @@ std::vector<Statement> game_statements() {
                   {"replay", scalar, Measure::whole, not_negative},
                   {"highscores", scalar, Measure::whole, not_negative},
                   {"players", scalar, Measure::whole, positive},
-                  {"wins", KeyShape::word}},
+                  {"wins", KeyShape::word},
+                  {"stroke", KeyShape::word},
+                  {"settle", scalar, Measure::time, not_negative}},
          .is_unique = true,
          .settable = Settable::whole},
         {.name = "var",
@@ -184,8 +189,9 @@ std::vector<Statement> game_statements() {
          .plain_most = many,
          .is_sentence = true},
         {.name = "goal",
-         .usage = "goal \"TEXT\" [within N [N [N]] shots|seconds] if|unless CONDITION [and "
-                  "CONDITION ...] ...",
+         .usage =
+             "goal \"TEXT\" [within N [N [N]] shots|seconds | with N [N [N]] of VALUE] if|unless "
+             "CONDITION [and CONDITION ...] ...",
          .action = add_goal,
          .place = Place::top,
          .plain_least = 3,

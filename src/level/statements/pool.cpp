@@ -68,7 +68,8 @@ void build_pocket(const Arguments& arguments, const Frame& frame, Context& conte
 
 void add_cue(const Arguments& arguments, const Frame&, Context& context) {
     const auto& power = arguments.values.at("power").numbers;
-    context.ir.cues.push_back({*arguments.word("ball"), power[0], power[1]});
+    context.ir.cues.push_back(
+        {*arguments.word("ball"), power[0], power[1], arguments.number_or("scatter", 0.0)});
 }
 
 // One statement for each layout.
@@ -111,11 +112,12 @@ std::vector<Statement> pool_statements() {
          .keys = {keys::at, {"r", scalar, Measure::length, positive, true}},
          .binds_names = true},
         {.name = "cue",
-         .usage = "cue ball=NAME power=A..B",
+         .usage = "cue ball=NAME power=A..B [scatter=ANGLE]",
          .action = add_cue,
          .place = Place::top,
          .keys = {{"ball", word, Measure::number, any, true},
-                  {"power", range, Measure::speed, not_negative, true}}},
+                  {"power", range, Measure::speed, not_negative, true},
+                  {"scatter", scalar, Measure::angle, not_negative}}},
     };
     statements.insert(statements.end(), others.begin(), others.end());
     return statements;

@@ -44,7 +44,7 @@ std::optional<RuleCondition> RuleWords::comparison(const Word& left, std::string
     return made;
 }
 
-// One condition: a>=b, or with spaces; or the name of a variable, a timer or lights.
+// One condition: a>=b, or with spaces; or the name of a variable, a timer, a motion or lights.
 std::optional<RuleCondition> RuleWords::condition(const std::vector<Word>& words,
                                                   std::size_t& next) {
     const Word& word = words[next];
@@ -74,6 +74,14 @@ std::optional<RuleCondition> RuleWords::condition(const std::vector<Word>& words
         made.left = std::move(*number);
         made.right = {{RuleStep::What::number, 0}};
         made.relation = Relation::unequal;
+        return made;
+    }
+    const std::vector<MotionIr>& motions = context_.ir.motions;
+    const auto motion = std::ranges::find_if(
+        motions, [&](const MotionIr& each) { return each.names.front().text == word.text; });
+    if (motion != motions.end()) {
+        made.what = RuleCondition::What::moving;
+        made.index = static_cast<std::uint32_t>(motion - motions.begin());
         return made;
     }
     made.what = RuleCondition::What::lit;

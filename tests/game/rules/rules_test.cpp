@@ -17,6 +17,7 @@ struct Nothing final : RuleHost {
     double rate() const override { return 100.0; }
     std::int64_t quantity(RuleQuantity) const override { return 7; }
     std::int64_t count(const RuleBalls&, const RulePlace*) const override { return 3; }
+    bool moves(std::uint32_t) const override { return false; }
     std::pair<std::int64_t, std::int64_t> lights(std::uint32_t) const override { return {2, 1}; }
     void act(const RuleAction&, std::int64_t value, int) override { acted.push_back(value); }
 

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <variant>
 
@@ -127,6 +128,12 @@ TEST_CASE("limits of a goal: three are three, two and one stars") {
     goal.limits = {2.0};
     CHECK(stars_within(goal, 2.0) == 3);
     CHECK(stars_within(goal, 3.0) == 0);
+    goal.limits = {5.0, 4.0, 3.0};
+    goal.counts = LevelGoal::Counts::value;
+    CHECK(stars_within(goal, 6.0) == 3);
+    CHECK(stars_within(goal, 4.0) == 2);
+    CHECK(stars_within(goal, 2.0) == 0);
+    goal.counts = LevelGoal::Counts::shots;
     goal.limits = {2.0, 4.0, 6.0};
     CHECK(stars_within(goal, 3.0) == 2);
     CHECK(stars_within(goal, 6.0) == 1);
@@ -158,4 +165,39 @@ TEST_CASE("a recording of a game by rules is verified, also beyond the limit of 
     CHECK(fingerprint(replayer.session().world(), replayer.session().game()) == mark);
     CHECK(*rule_state(replayer.session().game()) == *rule_state(session.game()));
     CHECK(stars_of(replayer.session().game()) == 3);
+}
+
+TEST_CASE("a goal may count a value of the rules: three stars for the most") {
+    const std::string rules =
+        "game shots\nvar made\nvar tried\non cue hit red once  made +1\n"
+        "on shot judged  tried +1, respot ball\n"
+        "on shot judged if shots=3  end\n";
+    const Scene scene =
+        scene_of(table + rules + "goal \"Hit it.\" with 3 2 1 of made if tried=3\n");
+    Session session(scene, {.kind = SolverKind::event});
+    session.step_forward();
+    const auto shoot = [&](Vec2 velocity) {
+        const auto& state = std::get<ShotsState>(session.game());
+        REQUIRE_FALSE(session.apply(command::Strike{*cue_ball_of(scene, state), velocity}));
+        while (std::get<ShotsState>(session.game()).is_shooting)
+            session.step_forward();
+    };
+    shoot({1.5, 0.0});
+    shoot({0.0, 0.2});
+    CHECK(task_text(scene, session.world(), session.game()) == "Hit it.");
+    shoot({1.5, 0.0});
+    CHECK(stars_of(session.game()) == 2);
+    CHECK(task_text(scene, session.world(), session.game()) == "Done with 2: 2 of 3 stars");
+    const auto loaded_with = [&](const std::string& limits) {
+        return load_level(table + rules + "goal \"Hit it.\" " + limits + " if tried=3\n", "g", {});
+    };
+    for (const std::string wrong : {"with 1 2 of made", "with of made", "with 4 3 2 1 of made"}) {
+        CAPTURE(wrong);
+        const LoadResult loaded = loaded_with(wrong);
+        CHECK_FALSE(loaded.scene);
+        CHECK(std::ranges::count(loaded.diagnostics, FaultCode("goal-malformed"),
+                                 &Diagnostic::code) == 1);
+    }
+    CHECK_FALSE(loaded_with("with 3 2 1").scene);
+    CHECK_FALSE(loaded_with("with 3 2 1 of").scene);
 }

@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "game/session/forecast.h"
@@ -292,4 +294,72 @@ on shot judged if shots>9  end
     game.shoot_softly();
     game.shoot(command::Strike{team[0], {0.0, -0.6}});
     CHECK(game.state().message == "11");
+}
+
+TEST_CASE("shots: a shot is judged once the balls have lain still for the time of settle=") {
+    const std::string rules = "on shot ends  score 1\non shot judged if shots=9  end\n";
+    Game game("game shots settle=0.5s\n" + rules);
+    Game quick("game shots\n" + rules);
+    const auto ticks_of = [](Game& played) {
+        const std::uint64_t before = played.session.world().tick();
+        played.shoot_softly();
+        return played.session.world().tick() - before;
+    };
+    const double rate = game.session.world().rate();
+    CHECK(static_cast<double>(ticks_of(game) - ticks_of(quick)) ==
+          doctest::Approx(0.5 * rate).epsilon(0.02));
+    CHECK(game.score(0) == 1);
+    // What the balls do meanwhile is part of the state.
+    REQUIRE_FALSE(game.session.apply(
+        command::Strike{*cue_ball_of(game.session.scene(), game.state()), {0.0, 0.2}}));
+    while (game.state().rested == 0)
+        game.session.step_forward();
+    ShotsState state = game.state();
+    ++state.rested;
+    CHECK(digest_of(0, state) != digest_of(0, game.state()));
+}
+
+TEST_CASE("shots: balls that return together are not in each other's way") {
+    Game game(R"(game shots
+on shot judged  respot ball
+on shot judged if shots=9  end
+)");
+    // The white, hit full, drives the red away and comes to lie beyond the red's start.
+    game.shoot({1.2, 0.0});
+    const World& world = game.session.world();
+    const auto place = [&](std::size_t ball) {
+        return world.balls().position[*index_of(world, *game.state().balls[ball])];
+    };
+    const Scene& scene = game.session.scene();
+    CHECK(place(0) == start_of(scene, 0));
+    CHECK(place(1) == start_of(scene, 1));
+    // Exchanged places are the worst case.
+    World swapped = scene.world;
+    std::swap(swapped.edit_balls().position[0], swapped.edit_balls().position[1]);
+    ShotsState state = *begin_shots(scene);
+    ShotsPlay play(scene, swapped, state);
+    RuleAction respot{.what = RuleAction::What::respot};
+    respot.index = static_cast<std::uint32_t>(
+        std::ranges::find(scene.rules.balls, RuleBalls::Who::any, &RuleBalls::who) -
+        scene.rules.balls.begin());
+    play.act(respot, 0, 0);
+    for (std::uint32_t ball = 0; ball < 2; ++ball)
+        CHECK(swapped.balls().position[*index_of(swapped, *state.balls[ball])] ==
+              start_of(scene, ball));
+}
+
+TEST_CASE("shots: a condition asks whether a motion runs") {
+    Game game(R"(edge rubber gate r=10 1200,20 1200,120
+motion slide gate by=0,100 every=2s waits
+game shots
+on shot ends if gate      score 10, stop gate
+on shot ends unless gate  score 1, start gate
+on shot judged if shots=9  end
+)");
+    game.shoot_softly();
+    CHECK(game.score(0) == 1);
+    game.shoot_softly();
+    CHECK(game.score(0) == 11);
+    game.shoot_softly();
+    CHECK(game.score(0) == 12);
 }
