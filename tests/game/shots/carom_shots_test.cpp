@@ -88,6 +88,39 @@ TEST_CASE("three-cushion: natural, rail-first, umbrella and bank shots score, an
     CHECK(kinds.misses > 0);
 }
 
+// The opening position: red on the foot spot, the other ball on the head spot, the cue ball 182.5
+// mm beside it. The opening shot of the books is a natural: off the red, with three cushions on the
+// way to the other ball.
+TEST_CASE("three-cushion: the opening shot scores off the red, by three cushions") {
+    const Scene scene = shipped_level("three-cushion");
+    const Vec2 white = scene.world.balls().position[0];
+    const Vec2 yellow = scene.world.balls().position[1];
+    const Vec2 red = scene.world.balls().position[2];
+    CHECK(white.x == yellow.x);
+    CHECK(yellow.y - white.y == doctest::Approx(0.1825));
+    CHECK(red.x == -yellow.x);
+    const Vec2 there = red - white;
+    const double reach = 2.0 * scene.world.balls().radius[0] / std::hypot(there.x, there.y);
+    std::set<std::string> stories;
+    for (int tenths = -18; tenths <= 18; ++tenths)
+        for (const double speed : {3.0, 4.0, 5.0})
+            for (const double side : {-0.4, 0.0, 0.4}) {
+                ShotsGame game(scene);
+                // A hit of the red from its edge on one side to its edge on the other.
+                const double turn = std::atan2(there.y, there.x) + std::asin(reach * tenths / 20.0);
+                const std::string story =
+                    story_of(game, {*cue_ball_of(scene, game.state()),
+                                    {speed * std::cos(turn), speed * std::sin(turn)},
+                                    side});
+                if (!story.starts_with('1') || story.back() != '2') continue;
+                CAPTURE(story);
+                CHECK(game.score(0) == (story.size() >= 5 ? 1 : 0));
+                stories.insert(story);
+            }
+    CHECK(std::ranges::any_of(stories,
+                              [](const std::string& story) { return story.starts_with("1ccc"); }));
+}
+
 TEST_CASE("cushion caroms: one cushion anywhere before the second ball is enough") {
     const Kinds kinds = played("cushion-caroms", 1);
     CHECK(has_story(kinds, "1c"));

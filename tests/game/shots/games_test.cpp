@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -212,4 +214,45 @@ TEST_CASE("mini-golf: a hole in one leads to the next hole") {
     REQUIRE(ball);
     const World& world = game.session.world();
     CHECK(world.balls().position[*index_of(world, *ball)].x == doctest::Approx(3.8));
+}
+
+// With CAROM_GAMES_FIGURES=FILE it writes what became of the games there.
+TEST_SUITE("long") {
+    TEST_CASE("a hundred games of each game of shots end, with fouls and ties among them") {
+        struct Case {
+            const char* level;
+            int most_shots;
+            std::vector<std::string> changes;
+        };
+        const char* const file = std::getenv("CAROM_GAMES_FIGURES");
+        int all_ties = 0;
+        for (const Case& row :
+             {Case{"three-cushion", 4000, {"let target=3"}}, Case{"straight-rail", 400, {}},
+              Case{"cushion-caroms", 400, {}}, Case{"bumper-pool", 400, {}},
+              Case{"skittles", 36, {}}, Case{"mini-golf", 200, {}}, Case{"windmill", 40, {}}}) {
+            CAPTURE(row.level);
+            const Scene scene = shipped_level(row.level, row.changes);
+            int ties = 0;
+            std::uint32_t shots = 0;
+            std::uint32_t fouls = 0;
+            for (std::uint64_t seed = 0; seed < 100; ++seed) {
+                CAPTURE(seed);
+                ShotsGame game(scene);
+                play_to_end(game, seed, row.most_shots);
+                const std::vector<ShotsState::Player>& players = game.state().players;
+                for (const ShotsState::Player& player : players) {
+                    shots += player.shots;
+                    fouls += player.fouls;
+                }
+                if (players.size() > 1 && !game.state().winner) ++ties;
+            }
+            all_ties += ties;
+            const std::string line = std::string(row.level) + ": 100 games, " +
+                                     std::to_string(shots) + " shots, " + std::to_string(fouls) +
+                                     " fouls, " + std::to_string(ties) + " ties\n";
+            MESSAGE(line);
+            if (file) std::ofstream(file, std::ios::app) << line;
+        }
+        CHECK(all_ties > 0);
+    }
 }
