@@ -303,7 +303,10 @@ void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const Pi
         panel.task = task_text(session.scene(), session.world(), state);
     panel.message = state.message;
     if (initials)
-        panel.call = "YOUR INITIALS: " + *initials + std::string(3 - initials->size(), '_');
+        panel.call =
+            (scores.player() == 0 ? "YOUR INITIALS: "
+                                  : fmt::format("PLAYER {}, INITIALS: ", scores.player())) +
+            *initials + std::string(3 - initials->size(), '_');
     else if (state.phase == PinballState::Phase::over)
         panel.call = "PRESS ENTER TO START";
     else if (is_demonstrating)

@@ -1,7 +1,10 @@
 #include "carom/controllers/pinball_scores.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
+
+#include "game/pinball/pinball.h"
 
 namespace carom {
 
@@ -13,9 +16,20 @@ void PinballScores::follow(const PinballState& state, bool is_demonstrating, boo
     }
     if (state.games == last_game_ || is_watched) return;
     last_game_ = state.games;
-    if (was_demonstrated_ || !scores_.takes(state.score)) return;
-    initials_ = "";
-    asked_for_ = state.score;
+    if (was_demonstrated_) return;
+    const std::vector<std::int64_t> scores = scores_of(state);
+    asked_.clear();
+    for (std::size_t i = 0; i < scores.size(); ++i)
+        asked_.push_back({scores[i], scores.size() > 1 ? i + 1 : 0});
+    std::ranges::stable_sort(asked_, std::ranges::greater{}, &Asked::score);
+    ask_next();
+}
+
+// Asks for the first of those whose score is still among the best.
+void PinballScores::ask_next() {
+    initials_.reset();
+    std::erase_if(asked_, [&](const Asked& asked) { return !scores_.takes(asked.score); });
+    if (!asked_.empty()) initials_ = "";
 }
 
 void PinballScores::type(const InputEvent& event) {
@@ -25,8 +39,8 @@ void PinballScores::type(const InputEvent& event) {
         return;
     }
     if (event.key == key::escape) {
-        initials_.reset();
-        return;
+        asked_.erase(asked_.begin());
+        return ask_next();
     }
     const bool is_letter = (event.key >= U'a' && event.key <= U'z') ||
                            (event.key >= U'A' && event.key <= U'Z') ||
@@ -38,8 +52,10 @@ void PinballScores::type(const InputEvent& event) {
     }
     if (event.key != key::enter || initials_->empty()) return;
     initials_->resize(3, '-');
-    written_ = newest_ = HighScore{*initials_, asked_for_};
-    initials_.reset();
+    written_ = newest_ = HighScore{*initials_, asked_.front().score};
+    scores_.add(*newest_);
+    asked_.erase(asked_.begin());
+    ask_next();
 }
 
 std::optional<HighScore> PinballScores::take() {

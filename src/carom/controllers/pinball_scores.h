@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "carom/files/high_scores.h"
 #include "game/pinball/pinball_state.h"
@@ -19,11 +20,13 @@ class PinballScores {
     /// The score entered last.
     const std::optional<HighScore>& newest() const { return newest_; }
 
-    /// Asks for initials when a game ends with a score among the best. Not after a game that the
-    /// demo took part in, nor in a recording (`watched`).
+    /// Asks each player for initials whose score is among the best when a game ends, the best
+    /// first. Not after a game that the demo took part in, nor in a recording (`watched`).
     void follow(const PinballState& state, bool is_demonstrating, bool is_watched);
     /// The initials typed so far; none: they are not being asked for.
     const std::optional<std::string>& initials() const { return initials_; }
+    /// Whose they are, from 1; 0: one person played. Pre: they are being asked for.
+    std::size_t player() const { return asked_.front().player; }
     /// Takes a letter, a correction, or the confirmation.
     void type(const InputEvent& event);
     /// The score that has been entered; returned once.
@@ -33,9 +36,15 @@ class PinballScores {
     void continue_from(const PinballScores& before, std::size_t most);
 
   private:
+    struct Asked {
+        std::int64_t score = 0;
+        std::size_t player = 0;
+    };
+    void ask_next();
+
     HighScores scores_;
     std::optional<std::string> initials_;
-    std::int64_t asked_for_ = 0;  ///< the score that initials are asked for
+    std::vector<Asked> asked_;  ///< the scores that initials are asked for, the best first
     std::optional<HighScore> written_;
     std::optional<HighScore> newest_;
     bool was_demonstrated_ = false;  ///< at some point of this game
