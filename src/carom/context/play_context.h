@@ -39,7 +39,7 @@ struct Pointer {
 
 /// A page that covers the game; the game waits meanwhile.
 struct CoveringPage {
-    enum class Kind : std::uint8_t { none, help, about, explanation, problems };
+    enum class Kind : std::uint8_t { none, help, about, record, explanation, problems };
     Kind kind = Kind::none;
     int scroll = 0;
 

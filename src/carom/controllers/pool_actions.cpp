@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "carom/controllers/editing.h"
+#include "game/ai/opponents.h"
 
 namespace carom::pool_actions {
 namespace {
@@ -45,6 +46,10 @@ bool move_tip(PoolController& table, const PlayContext& play, int side, int foll
 
 bool shoot(PoolController& table, PlayContext& play) {
     if (table.shoot_with_key(play)) return true;
+    const PoolPlay* const pool = pool_of(play.session);
+    const ShotsState* const shots = shots_of(play.session);
+    const bool is_over = pool ? pool->rules.phase == PoolPhase::over : shots && shots->is_over;
+    if (is_over && keeps_cue(play)) return rack_again(table, play), true;
     if (keeps_cue(play)) {
         if (are_rolling(play))
             say(play, fmt::format("The balls are still rolling. {} skips to rest.",
@@ -131,14 +136,36 @@ void rack_again(const PoolController& table, PlayContext& play) {
     obey(play, command::RackAgain{}, pool ? "the balls are racked" : "a new game");
 }
 
+namespace {
+
+std::string opponent_stays(int opponent) {
+    if (opponent == 0) return "The opponent stays until the match is over.";
+    if (is_of_ladder(opponent))
+        return fmt::format("You play {} until the match is over.", ai_player(opponent).name);
+    return fmt::format("You play carom, {} of {}, until the match is over.", opponent, most_skill);
+}
+
+// In a game of shots nobody plays against the player: it is practice, or for real.
+void toggle_match(PoolPlayers& players, PlayContext& play) {
+    const bool is_match = !players.is_match(play.session);
+    if (!players.set_match(play.session, is_match))
+        return say(play, "That is chosen before the first shot.");
+    if (is_match)
+        return say(play, fmt::format("for real: you have {}, no lines, no undo",
+                                     hand_text(players.hand())));
+    say(play, players.keeps_stars(play.session)
+                  ? "practice: exact strokes, lines, undo"
+                  : "practice: exact strokes, lines, undo; no stars are kept");
+}
+
+}  // namespace
+
 void next_opponent(PoolController& table, PlayContext& play) {
     PoolPlayers& players = table.players();
+    if (shots_of(play.session)) return toggle_match(players, play);
     if (players.is_match(play.session) && is_in_match(play.session))
-        return say(play, players.opponent() > 0
-                             ? fmt::format("You play carom, {} of {}, until the match is over.",
-                                           players.opponent(), most_skill)
-                             : "The opponent stays until the match is over.");
-    const int next = (players.opponent() + 1) % (most_skill + 1);
+        return say(play, opponent_stays(players.opponent()));
+    const int next = players.opponent() < most_skill ? players.opponent() + 1 : 0;
     if (!players.set_opponent(play.session, next)) return say(play, no_game);
     say(play, next > 0 ? fmt::format("against carom, {} of {}: {}; you have {}", next, most_skill,
                                      skill_text(next), hand_text(players.hand()))
@@ -148,16 +175,19 @@ void next_opponent(PoolController& table, PlayContext& play) {
 void next_hand(PoolController& table, PlayContext& play) {
     PoolPlayers& players = table.players();
     const PoolPlay* const pool = pool_of(play.session);
-    if (!pool) return say(play, no_game);
-    if (players.is_match(play.session) && pool->shooter)
-        return say(play, "Choose your skill before the break.");
+    const ShotsState* const shots = shots_of(play.session);
+    if (!pool && !shots) return say(play, no_game);
+    const bool has_begun = pool ? pool->shooter.has_value() : shots->shots > 0 && !shots->is_over;
+    if (players.is_match(play.session) && has_begun)
+        return say(play, pool ? "Choose your skill before the break."
+                              : "Choose your skill before the first shot.");
     players.set_hand(players.hand() % most_hand + least_hand);
     say(play, fmt::format("in a match you have {}, {} of {}", hand_text(players.hand()),
                           players.hand(), most_hand));
 }
 
-void tell_record(const PoolController& table, PlayContext& play) {
-    say(play, text_for_player(table.players().record()));
+void open_record(PlayContext& play) {
+    play.page.open(CoveringPage::Kind::record);
 }
 
 void ask_coach(PoolController& table, PlayContext& play) {

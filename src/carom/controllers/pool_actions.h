@@ -29,7 +29,7 @@ void rack_again(const PoolController& table, PlayContext& play);
 /// Changes the opponent; in a match, before the first break.
 void next_opponent(PoolController& table, PlayContext& play);
 void next_hand(PoolController& table, PlayContext& play);
-void tell_record(const PoolController& table, PlayContext& play);
+void open_record(PlayContext& play);
 void ask_coach(PoolController& table, PlayContext& play);
 /// Goes back to the player's own last turn.
 void undo_shot(PoolController& table, PlayContext& play);

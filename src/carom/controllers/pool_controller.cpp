@@ -52,7 +52,9 @@ bool PoolController::take(PlayContext& play, const InputEvent& event) {
 
 void PoolController::after_ticks(PlayContext& play, double) {
     if (play.clock.is_hurrying() && !are_rolling(play)) play.clock.normal();
-    if (auto outcome = players_.tell_outcome(play.session)) say(play, *std::move(outcome));
+    const auto outcome = players_.tell_outcome(play.session);
+    // While nothing is aimed, the status line says it.
+    if (outcome && *outcome != line(play)) say(play, *outcome);
 }
 
 bool are_rolling(const PlayContext& play) {

@@ -81,9 +81,9 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
         return;
     }
     if (pool && pool->rules.phase == PoolPhase::over)
-        hint("next-frame", match_winner(*pool) ? "the next match" : "the next frame");
-    if (const ShotsState* const shots = shots_of(play.session); shots && shots->is_over)
-        hint("next-frame", "a new game");
+        hint("grab", match_winner(*pool) ? "the next match" : "the next frame");
+    const ShotsState* const shots = shots_of(play.session);
+    if (shots && shots->is_over) hint("grab", "a new game");
     if (are_rolling(play)) return hint("to-rest", "skip until they rest");
     if (stroke_.meter()) {
         hint("grab", "strike");
@@ -98,6 +98,8 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
     const bool has_pockets = !play.session.scene().pool.pockets.empty();
     hint("next-pot", in_match || !has_pockets ? "next ball" : "next pot");
+    const bool is_new = pool ? !pool->shooter : !shots || shots->shots == 0 || shots->is_over;
+    if (shots && is_new) hint("opponent", in_match ? "practice" : "for real");
     if (in_match) return;
     hint("aids", "lines");
     if (pool) hint("coach", "coach");

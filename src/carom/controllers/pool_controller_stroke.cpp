@@ -10,6 +10,14 @@ namespace {
 /// A shorter pull, in radii of the ball, does not shoot.
 constexpr double least_pull = 1.5;
 
+/// Different for each shot of a session: the draws of a stroke that may fail depend on it.
+std::uint64_t shot_number(const Session& session) {
+    if (const ShotsState* const shots = shots_of(session))
+        return std::uint64_t{shots->games} << 32 | shots->shots;
+    const PoolPlay* const pool = pool_of(session);
+    return pool ? pool->shots : 0;
+}
+
 }  // namespace
 
 // In a match the past is only looked at: a shot from there would take back what came after.
@@ -95,7 +103,7 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
         return true;
     }
     if (!is_aiming(play)) {
-        if (players_.is_opponents_turn(play.session)) say(play, "It is carom's turn.");
+        if (players_.is_opponents_turn(play.session)) say(play, players_.opponent_text());
         const PoolPlay* const pool = pool_of(play.session);
         const ShotsState* const shots = shots_of(play.session);
         const auto why_not = pool && cue ? refusal_to_shoot(*pool, *cue)
@@ -137,12 +145,15 @@ bool PoolController::take_release(PlayContext& play) {
 void PoolController::shoot(PlayContext& play, const std::optional<Stroke>& stroke) {
     stroke_.end();
     const Session& session = play.session;
-    const PoolPlay* const pool = pool_of(session);
+    const double most = aim_.most_speed(session);
+    const double scatter = aim_.scatter(session);
+    const std::uint64_t seed = session.world().seed();
     for (Command command : aim_.shot(session)) {
         auto* const strike = std::get_if<command::Strike>(&command);
-        if (strike && stroke && pool)
-            *strike = struck(*strike, *stroke, players_.hand(), aim_.most_speed(session),
-                             session.world().seed(), pool->shots);
+        if (strike && stroke && has_turns(session))
+            *strike = struck(*strike, *stroke, players_.hand(), most, seed, shot_number(session));
+        if (strike && scatter > 0.0)
+            *strike = scattered(*strike, scatter, most, seed, shot_number(session));
         if (const auto why_not = play.session.apply(command)) return complain(play, *why_not);
     }
     set_reference(play);

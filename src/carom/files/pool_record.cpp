@@ -31,22 +31,55 @@ bool read_number(std::string_view text, Number& number) {
     return error == std::errc{} && end == text.data() + text.size() && number >= Number{};
 }
 
+struct Count {
+    std::string_view word;
+    std::uint64_t PoolRecord::*number;
+};
+constexpr std::array counts{Count{"shots", &PoolRecord::shots},
+                            Count{"pots", &PoolRecord::pots},
+                            Count{"attempts", &PoolRecord::attempts},
+                            Count{"made", &PoolRecord::made},
+                            Count{"safeties", &PoolRecord::safeties},
+                            Count{"fouls", &PoolRecord::fouls},
+                            Count{"turns", &PoolRecord::turns},
+                            Count{"best-run", &PoolRecord::best_run},
+                            Count{"breaks-and-runs", &PoolRecord::breaks_and_runs}};
+
+// How the file calls an AI player: "2", or "nell" of the ladder.
+std::string word_of(int opponent) {
+    if (!is_of_ladder(opponent)) return fmt::format("{}", opponent);
+    std::string word(ai_player(opponent).name);
+    for (char& c : word)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return word;
+}
+
+bool read_results(const std::vector<std::string_view>& words, PoolRecord& record) {
+    auto& results = words[0] == "opponent" ? record.frames : record.matches;
+    for (int opponent = 1; opponent <= most_opponent; ++opponent) {
+        if (word_of(opponent) != words[1]) continue;
+        PoolRecord::Results& of_one = results[static_cast<std::size_t>(opponent - 1)];
+        return read_number(words[2], of_one.won) && read_number(words[3], of_one.lost);
+    }
+    return false;
+}
+
 bool read_line(std::string_view line, PoolRecord& record) {
     const std::vector<std::string_view> words = split(line, ' ');
-    if (words.size() == 4 && words[0] == "opponent") {
-        std::size_t skill = 0;
-        if (!read_number(words[1], skill) || skill < 1 || skill > record.opponents.size())
-            return false;
-        PoolRecord::Frames& frames = record.opponents[skill - 1];
-        return read_number(words[2], frames.won) && read_number(words[3], frames.lost);
-    }
+    if (words.size() == 4 && (words[0] == "opponent" || words[0] == "match"))
+        return read_results(words, record);
     if (words.size() != 2) return false;
-    if (words[0] == "shots") return read_number(words[1], record.shots);
-    if (words[0] == "pots") return read_number(words[1], record.pots);
-    if (words[0] == "safeties") return read_number(words[1], record.safeties);
-    if (words[0] == "fouls") return read_number(words[1], record.fouls);
-    if (words[0] == "best-run") return read_number(words[1], record.best_run);
+    const auto count = std::ranges::find(counts, words[0], &Count::word);
+    if (count != counts.end()) return read_number(words[1], record.*count->number);
     return words[0] == "seconds" && read_number(words[1], record.seconds) && record.seconds < 1e12;
+}
+
+void add(std::array<PoolRecord::Results, most_opponent>& results,
+         const std::array<PoolRecord::Results, most_opponent>& more) {
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        results[i].won += more[i].won;
+        results[i].lost += more[i].lost;
+    }
 }
 
 std::optional<std::string> pool_record_path() {
@@ -58,16 +91,22 @@ std::optional<std::string> pool_record_path() {
 }  // namespace
 
 void add(PoolRecord& record, const PoolRecord& more) {
-    record.shots += more.shots;
-    record.pots += more.pots;
-    record.safeties += more.safeties;
-    record.fouls += more.fouls;
-    record.best_run = std::max(record.best_run, more.best_run);
+    const std::uint64_t best = std::max(record.best_run, more.best_run);
+    for (const Count& count : counts)
+        record.*count.number += more.*count.number;
+    record.best_run = best;
     record.seconds += more.seconds;
-    for (std::size_t i = 0; i < record.opponents.size(); ++i) {
-        record.opponents[i].won += more.opponents[i].won;
-        record.opponents[i].lost += more.opponents[i].lost;
+    add(record.frames, more.frames);
+    add(record.matches, more.matches);
+}
+
+std::size_t rungs_climbed(const PoolRecord& record) {
+    std::size_t climbed = 0;
+    for (const LadderRung& rung : ladder()) {
+        if (record.matches[static_cast<std::size_t>(rung.opponent - 1)].won == 0) break;
+        ++climbed;
     }
+    return climbed;
 }
 
 PoolRecordText read_pool_record(std::string_view text, std::string_view file) {
@@ -89,13 +128,20 @@ PoolRecordText read_pool_record(std::string_view text, std::string_view file) {
 }
 
 std::string text_of(const PoolRecord& record) {
-    std::string text =
-        fmt::format("{}\nshots {}\npots {}\nsafeties {}\nfouls {}\nbest-run {}\nseconds {:.0f}\n",
-                    record_format, record.shots, record.pots, record.safeties, record.fouls,
-                    record.best_run, record.seconds);
-    for (std::size_t i = 0; i < record.opponents.size(); ++i)
-        text += fmt::format("opponent {} {} {}\n", i + 1, record.opponents[i].won,
-                            record.opponents[i].lost);
+    std::string text = fmt::format("{}\n", record_format);
+    for (const Count& count : counts)
+        text += fmt::format("{} {}\n", count.word, record.*count.number);
+    text += fmt::format("seconds {:.0f}\n", record.seconds);
+    for (int opponent = 1; opponent <= most_opponent; ++opponent) {
+        const auto i = static_cast<std::size_t>(opponent - 1);
+        const auto add_line = [&](std::string_view word, const PoolRecord::Results& results) {
+            if (results == PoolRecord::Results{}) return;
+            text +=
+                fmt::format("{} {} {} {}\n", word, word_of(opponent), results.won, results.lost);
+        };
+        add_line("opponent", record.frames[i]);
+        add_line("match", record.matches[i]);
+    }
     return text;
 }
 

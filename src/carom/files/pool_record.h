@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "game/ai/opponents.h"
+
 /// What a person has done in matches of pool against carom, kept in one small text file in the
 /// user's data folder: a first line with the format, then one line a figure:
 ///
@@ -13,28 +15,38 @@
 ///     shots 120
 ///     seconds 1834
 ///     opponent 2 3 1
+///     match nell 1 0
 ///
-/// the last one meaning 3 frames won against opponent 2, and 1 lost. A file in another format is
-/// never overwritten.
+/// the last ones meaning 3 frames won against carom at skill 2, and 1 lost; and a match won against
+/// Nell of the ladder. A file in another format is never overwritten.
 namespace carom {
 
 struct PoolRecord {
-    struct Frames {
+    struct Results {
         std::uint64_t won = 0;
         std::uint64_t lost = 0;
 
-        friend bool operator==(const Frames&, const Frames&) = default;
+        friend bool operator==(const Results&, const Results&) = default;
     };
     std::uint64_t shots = 0;
     std::uint64_t pots = 0;      ///< balls, on shots without a foul
+    std::uint64_t attempts = 0;  ///< shots at a ball: neither breaks nor called safeties
+    std::uint64_t made = 0;      ///< of these, without a foul and with a ball down
     std::uint64_t safeties = 0;  ///< called, without a foul
     std::uint64_t fouls = 0;
+    std::uint64_t turns = 0;            ///< at the table
     std::uint64_t best_run = 0;         ///< balls in one turn at the table
+    std::uint64_t breaks_and_runs = 0;  ///< frames won from the break, in one turn
     double seconds = 0.0;               ///< from one's turn to the shot, in all
-    std::array<Frames, 4> opponents{};  ///< by skill, from 1
+    /// Frames, and matches with a length, by AI player (game/ai/opponents.h), from number 1.
+    std::array<Results, most_opponent> frames{};
+    std::array<Results, most_opponent> matches{};
 
     friend bool operator==(const PoolRecord&, const PoolRecord&) = default;
 };
+
+/// How many rungs of the ladder are climbed: a rung is, once a match on it is won.
+std::size_t rungs_climbed(const PoolRecord& record);
 
 /// Adds what was done since: sums, and the better of the best runs.
 void add(PoolRecord& record, const PoolRecord& more);

@@ -10,7 +10,9 @@
 #include "carom/controllers/pinball_display.h"
 #include "carom/files/high_scores.h"
 #include "carom/files/menu_list.h"
+#include "carom/files/pool_record.h"
 #include "carom/text/level_words.h"
+#include "game/ai/opponents.h"
 #include "game/rules/goal.h"
 #include "terminal/panels/pages.h"
 
@@ -76,12 +78,22 @@ void add_unfinished(std::vector<MenuItem>& items, std::span<const InterruptedGam
         const std::string name = std::filesystem::path(game.replay.level).stem().string();
         const auto level = std::ranges::find(levels, name, &LevelEntry::name);
         const double seconds = static_cast<double>(game.replay.position) / game.replay.rate;
-        items.push_back({name, level == levels.end() || level->title.empty() ? name : level->title,
-                         "Unfinished", game.replay.level, "", "resume at " + time_text(seconds),
-                         game});
+        std::string title = level == levels.end() || level->title.empty() ? name : level->title;
+        if (is_of_ladder(game.replay.opponent))
+            title = fmt::format("{}: {}", ai_player(game.replay.opponent).name, title);
+        items.push_back({name, std::move(title), "Unfinished", game.replay.level, "",
+                         "resume at " + time_text(seconds), game});
     }
 }
 
+void add_challenges(std::vector<MenuItem>& items, std::span<const LevelEntry> levels) {
+    for (Challenge& challenge : challenges(levels, load_pool_record().record, today()))
+        items.push_back({challenge.name, challenge.title, std::string(challenge_group),
+                         challenge.level, challenge.line, challenge.badge, std::nullopt,
+                         std::move(challenge)});
+}
+
+// The first group, then the challenges, then the others.
 void add_shipped(std::vector<MenuItem>& items, const std::string& folder,
                  std::span<const LevelEntry> levels) {
     const auto add = [&](const LevelEntry& level, std::string group, std::string line) {
@@ -89,12 +101,24 @@ void add_shipped(std::vector<MenuItem>& items, const std::string& folder,
                          std::move(group), level.path, std::move(line), best_score(level.path)});
     };
     const std::vector<ListedLevel> list = menu_list_in(folder);
+    bool has_challenges = false;
+    const auto add_once = [&] {
+        if (!std::exchange(has_challenges, true)) add_challenges(items, levels);
+    };
     for (const ListedLevel& listed : list) {
+        if (listed.group != list.front().group) add_once();
         const auto level = std::ranges::find(levels, listed.name, &LevelEntry::name);
         if (level != levels.end()) add(*level, listed.group, listed.line);
     }
+    add_once();
     for (const LevelEntry& level : levels)
-        if (!std::ranges::count(list, level.name, &ListedLevel::name)) add(level, "More", "");
+        if (level.name != daily_level && !std::ranges::count(list, level.name, &ListedLevel::name))
+            add(level, "More", "");
+}
+
+// Under which it is known what was loaded for an item.
+std::string key_of(const MenuItem& item) {
+    return item.challenge ? item.challenge->name : item.path;
 }
 
 }  // namespace
@@ -182,11 +206,11 @@ void Menu::search(std::string text) {
 
 void Menu::look_at_selected() {
     const MenuItem& item = *selected();
-    pictured_ = item.path;
+    pictured_ = key_of(item);
     picture_.reset();
     needs_draw_ = true;
-    LoadedLevel loaded = load_(item.path);
-    LoadedEntry& known = loaded_[item.path];
+    LoadedLevel loaded = load_(item);
+    LoadedEntry& known = loaded_[pictured_];
     known.is_broken = !loaded.result.scene;
     if (known.is_broken) {
         known.notes = {"This level has errors. Press enter to see them."};
@@ -210,7 +234,7 @@ void Menu::advance(double seconds, const MayGoOn& may_go_on) {
         return;
     }
     seconds_on_selected_ += seconds;
-    if (item->path != pictured_) {
+    if (key_of(*item) != pictured_) {
         if (seconds_on_selected_ >= load_delay) look_at_selected();
         return;
     }
@@ -230,14 +254,15 @@ MenuPage Menu::page() const {
     if (!search_.empty()) page.footer = fmt::format("search: {}   esc clears", search_);
     for (const MenuItem* item : shown()) {
         MenuEntry entry{item->title, item->line, item->badge};
-        const auto known = loaded_.find(item->path);
+        const auto known = loaded_.find(key_of(*item));
         entry.is_broken = known != loaded_.end() && known->second.is_broken;
         page.entries.push_back(std::move(entry));
     }
     const MenuItem* item = selected();
-    const auto known = item ? loaded_.find(item->path) : loaded_.end();
+    const auto known = item ? loaded_.find(key_of(*item)) : loaded_.end();
+    if (item && item->challenge) page.goal = item->challenge->goal;
     if (known == loaded_.end()) return page;
-    page.goal = known->second.goal;
+    if (page.goal.empty()) page.goal = known->second.goal;
     page.notes = known->second.notes;
     return page;
 }
@@ -255,7 +280,7 @@ void Menu::draw(Canvas& canvas, double aspect, const ViewOptions& view) {
             canvas.write(3, 3 + static_cast<int>(i), lines[i]);
     }
     const MenuItem* item = selected();
-    if (!item || item->path != pictured_ || !picture_) return;
+    if (!item || key_of(*item) != pictured_ || !picture_) return;
     const CellArea area = menu_picture_area(columns_, rows_, now);
     if (area.columns <= 0 || area.rows <= 0) return;
     picture_->set_view(view);

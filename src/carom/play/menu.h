@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "carom/files/level_files.h"
+#include "carom/play/challenge.h"
 #include "carom/play/player.h"
 #include "carom/play/resume.h"
 #include "terminal/input/input.h"
@@ -29,6 +30,7 @@ struct MenuItem {
     std::string line{};                            ///< about the level
     std::string badge{};                           ///< at the right of the title
     std::optional<InterruptedGame> interrupted{};  ///< the unfinished game to resume, if it is one
+    std::optional<Challenge> challenge{};          ///< if it is one
 };
 
 /// Items for unfinished games, the levels that ship, and the levels of the current folder; the
@@ -37,7 +39,7 @@ std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted);
 
 class Menu {
   public:
-    using Load = std::function<LoadedLevel(const std::string& path)>;
+    using Load = std::function<LoadedLevel(const MenuItem&)>;
 
     /// `load` loads a level for its picture. `choose`: the name of the item to select first, or its
     /// level's path; an unfinished game takes precedence over its level.
@@ -83,7 +85,7 @@ class Menu {
     std::map<std::string, LoadedEntry> loaded_;
 
     double seconds_on_selected_ = 0.0;
-    std::string pictured_;  ///< path of the level in the picture; empty: none yet
+    std::string pictured_;  ///< the item in the picture, as in `loaded_`; empty: none yet
     std::optional<Player> picture_;
 
     int columns_ = 0;

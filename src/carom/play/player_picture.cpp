@@ -7,6 +7,7 @@
 
 #include "carom/play/player.h"
 #include "carom/play/status.h"
+#include "carom/pool/record_page.h"
 #include "game/session/conserved.h"
 #include "lab/run/report.h"
 #include "terminal/panels/large_digits.h"
@@ -139,6 +140,11 @@ void Player::draw_page(Canvas& canvas) {
             extent = draw_about(canvas, session().scene().title, play_.words.goal,
                                 about_items(play_.words), page.scroll,
                                 footer_with(play_, "help", "keys"), look);
+            break;
+        case CoveringPage::Kind::record:
+            extent = draw_text_page(canvas, "Your record at pool",
+                                    record_lines(pool_players()->record(), look), page.scroll,
+                                    back_footer, look);
             break;
         case CoveringPage::Kind::explanation:
             extent = draw_text_page(canvas, "Solver and model", explanation_lines(play_),

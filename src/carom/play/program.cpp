@@ -114,7 +114,7 @@ std::optional<Problems> Program::start() {
         show_menu({});
         return std::nullopt;
     }
-    const LevelSource source = source_of(options_, options_.level);
+    const LevelSource source = carom::source_of(options_, options_.level);
     auto problems = open(source);
     if (problems && options_.watch && find_level(source.path).path) {
         open_or_tell(source);
@@ -126,8 +126,9 @@ std::optional<Problems> Program::start() {
 void Program::show_menu(std::string_view choose) {
     const auto folder = resume_folder();
     const auto interrupted = folder ? interrupted_games(*folder) : std::vector<InterruptedGame>{};
-    const auto load_for_picture = [this](const std::string& path) {
-        return load(source_of(options_, path));
+    const auto load_for_picture = [this](const MenuItem& item) {
+        return load(item.challenge ? source_of(*item.challenge)
+                                   : carom::source_of(options_, item.path));
     };
     page_.emplace<Menu>(menu_items(interrupted), load_for_picture, choose);
 }
@@ -168,7 +169,7 @@ std::optional<Problems> Program::open_recording() {
     Session session(std::move(scene), replay.solver, options_.rewind_bytes);
     session.follow(std::move(replay.commands), replay.end, replay.fingerprint_version);
     Player player(std::move(session), view(), preferences_.keys);
-    LevelSource source = source_of(options_, replay.level);
+    LevelSource source = carom::source_of(options_, replay.level);
     enter(std::move(source), std::move(player), std::nullopt);
     auto& game = std::get<RunningGame>(page_);
     game.expected = std::move(replay.marks);
@@ -234,7 +235,7 @@ void Program::finish_resuming() {
     if (const auto& failure = done.replayer.failure())
         return tell("This game cannot be resumed",
                     {"It comes out differently now, so it is left as it is.", *failure});
-    LevelSource source = source_of(options_, done.game.replay.level);
+    LevelSource source = carom::source_of(options_, done.game.replay.level);
     source.rate = done.game.replay.rate;
     source.seed = done.game.replay.seed;
     source.overrides = done.game.replay.overrides;

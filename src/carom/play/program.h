@@ -74,6 +74,7 @@ class Program {
         int scroll = 0;
         std::optional<LevelSource> source{};
         FileWatcher watch{};
+        std::string entry{};  ///< the item of the menu that is selected afterwards
         bool needs_draw = true;
 
         /// Scrolls the text; false: the key does not scroll.
@@ -94,6 +95,9 @@ class Program {
     std::optional<Problems> open(const LevelSource& source);
     std::optional<Problems> open_recording();
     void open_or_tell(const LevelSource& source);
+    void open_challenge(const Challenge& challenge);
+    LevelSource source_of(const Challenge& challenge) const;
+    void show_record(const Challenge& challenge);
     void resume(const InterruptedGame& game);
     void finish_resuming();
     void enter(LevelSource source, Player player, std::optional<InterruptedGame> offer);

@@ -73,9 +73,9 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
             is_over_ = true;
             break;
         case PlayRequest::menu: {
-            const std::string path = game.source.path;
+            const std::string entry = game.entry.empty() ? game.source.path : game.entry;
             if (end_game())
-                show_menu(path);
+                show_menu(entry);
             else
                 tell("The recording is lost", {*lost_recording_});
             break;
@@ -106,8 +106,10 @@ void Program::handle_menu(Menu& menu, const InputEvent& event) {
     if (const auto* item = std::get_if<MenuItem>(&choice)) {
         if (item->interrupted)
             resume(*item->interrupted);
+        else if (item->challenge)
+            open_challenge(Challenge(*item->challenge));
         else
-            open_or_tell(source_of(options_, item->path));
+            open_or_tell(carom::source_of(options_, item->path));
     }
 }
 
@@ -119,8 +121,7 @@ void Program::handle_notice(Notice& notice, const InputEvent& event) {
         is_over_ = true;
         return;
     }
-    const std::string path = notice.source ? notice.source->path : std::string{};
-    show_menu(path);
+    show_menu(notice.source ? notice.source->path : std::string(notice.entry));
 }
 
 bool Program::Notice::scroll_with(const InputEvent& event) {

@@ -36,14 +36,20 @@ void Program::keep_pool_record(RunningGame& game, bool all) {
     if (!since) return;
     const PoolRecordText kept = carom::keep_pool_record(*since);
     if (kept.problem) game.player.complain(*kept.problem);
+    const std::size_t before = rungs_climbed(players->record_before());
     players->set_record(kept.record);
+    if (rungs_climbed(kept.record) == before) return;
+    game.player.say(climb_text(kept.record));
+    game.entry = next_challenge(kept.record);
 }
 
 void Program::keep_stars(RunningGame& game) {
     const int stars = stars_of(game.player.session().game());
-    if (stars <= game.stars) return;
+    const PoolPlayers* const players = game.player.pool_players();
+    if (stars <= game.stars || (players && !players->keeps_stars(game.player.session()))) return;
     game.stars = stars;
-    if (const auto problem = carom::keep_stars(game.source.path, stars))
+    if (const auto problem =
+            carom::keep_stars(game.stars_name.empty() ? game.source.path : game.stars_name, stars))
         game.player.complain(*problem);
 }
 

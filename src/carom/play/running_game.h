@@ -31,6 +31,8 @@ struct RunningGame {
     std::size_t marks_compared = 0;
     std::optional<SavePrompt> prompt{};      ///< while the player is asked for a name
     int stars = 0;                           ///< of the level's goal, kept so far in this game
+    std::string entry{};                     ///< the challenge of the menu that it is; empty: none
+    std::string stars_name{};                ///< under which they are kept; empty: the level's
     bool was_paused = false;                 ///< before that question
     double messages_faded = 0.0;             ///< the time up to which they have, s
     int recorded_physics = physics_version;  ///< physics version of a watched recording

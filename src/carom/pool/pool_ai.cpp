@@ -1,5 +1,7 @@
 #include "carom/pool/pool_ai.h"
 
+#include "game/ai/opponents.h"
+
 namespace carom {
 namespace {
 
@@ -20,12 +22,13 @@ bool PoolAi::is_about(const Session& session) const {
 bool PoolAi::think(const Session& session) {
     const PoolPlay& play = play_of(session);
     if (!is_about(session)) {
+        const AiPlayer& player = ai_player(number_);
         scene_ = &session.scene();
         positions_ = session.world().balls().position;
         rules_ = play.rules;
-        planner_ =
-            std::make_unique<ShotPlanner>(session.scene(), session.world(), play, session.solver(),
-                                          shot_noise(skill_), decision_seed(session.world(), play));
+        planner_ = std::make_unique<ShotPlanner>(
+            session.scene(), session.world(), play, session.solver(), player.noise,
+            decision_seed(session.world(), play), player.style);
     }
     planner_->work(tries_a_frame);
     return planner_->is_done();
@@ -38,7 +41,7 @@ const std::vector<CandidateShot>& PoolAi::candidates() const {
 
 std::vector<Command> PoolAi::decision(const Session& session) const {
     const PoolPlay& play = play_of(session);
-    const ShotNoise error = shot_noise(skill_);
+    const ShotNoise error = ai_player(number_).noise;
     if (play.rules.phase == PoolPhase::choosing)
         return {command::Decide{choice_of(session.scene(), session.world(), play, error)}};
     return commands_of(session.scene(), play, candidates().front(), error,

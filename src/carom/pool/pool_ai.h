@@ -13,10 +13,10 @@ namespace carom {
 
 class PoolAi {
   public:
-    /// `skill`: how accurately it shoots, least_skill..most_skill.
-    explicit PoolAi(int skill) : skill_(skill) {}
+    /// `number`: of an AI player (game/ai/opponents.h).
+    explicit PoolAi(int number) : number_(number) {}
 
-    int skill() const { return skill_; }
+    int number() const { return number_; }
 
     /// Starts or continues planning for the present position; true when it has decided. Pre: a game
     /// of pool is played, the balls are at rest, and a shot is due.
@@ -27,12 +27,12 @@ class PoolAi {
     bool is_about(const Session& session) const;
     void forget() { planner_.reset(); }
 
-    /// The commands of its turn: a choice, or its best shot with the error that its skill implies.
+    /// The commands of its turn: a choice, or its best shot with the error that its hand implies.
     /// Pre: think() was true, or the phase is choosing.
     std::vector<Command> decision(const Session& session) const;
 
   private:
-    int skill_;
+    int number_;
     std::unique_ptr<ShotPlanner> planner_;  ///< null: not started
     // The position that is being planned for.
     const Scene* scene_ = nullptr;

@@ -75,6 +75,12 @@ double PoolAim::most_speed(const Session& session) const {
     return session.scene().pool.cue->most_power;
 }
 
+double PoolAim::scatter(const Session& session) const {
+    if (const ShotsState* shots = shots_of(session))
+        return cue_in_turn(session.scene(), *shots).scatter;
+    return session.scene().pool.cue->scatter;
+}
+
 std::vector<BallId> PoolAim::targets(const Session& session) const {
     std::vector<BallId> balls;
     const PoolPlay* game = play(session);

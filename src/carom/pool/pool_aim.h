@@ -67,6 +67,8 @@ class PoolAim {
 
     command::Strike strike(const Session& session) const;
     double most_speed(const Session& session) const;
+    /// Cue::scatter of the player's cue.
+    double scatter(const Session& session) const;
     /// The commands of the shot: the call, where one is due, and the strike. Pre: may_aim().
     std::vector<Command> shot(const Session& session);
 

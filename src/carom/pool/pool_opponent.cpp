@@ -3,20 +3,19 @@
 #include <fmt/format.h>
 
 #include "carom/pool/pool_status.h"
+#include "game/ai/opponents.h"
 
 namespace carom {
 namespace {
 
-/// The time between announcing a shot and shooting it, s.
-constexpr double pause = 1.2;
 constexpr int own_player = 1;  ///< the index of the AI player
 constexpr int coach_skill = 3;
 
 }  // namespace
 
-void PoolOpponent::set_skill(int skill) {
+void PoolOpponent::set(int number) {
     ai_.reset();
-    if (skill > 0) ai_.emplace(skill);
+    if (number > 0) ai_.emplace(number);
     seconds_left_ = 0.0;
 }
 
@@ -40,9 +39,11 @@ void PoolOpponent::play(PlayContext& play, double seconds) {
     if (seconds_left_ <= 0.0) says_.clear();
     if (!chooses && !ai_->think(session)) return;
     if (seconds_left_ <= 0.0) {
-        seconds_left_ = pause;
+        const AiPlayer& player = ai_player(ai_->number());
+        seconds_left_ = player.style.pause;
         if (!chooses)
-            says_ = "carom: " + candidate_text(session.scene(), ai_->candidates().front());
+            says_ = fmt::format("{}: {}", player.name,
+                                candidate_text(session.scene(), ai_->candidates().front()));
         return;
     }
     seconds_left_ -= seconds;
@@ -54,7 +55,8 @@ void PoolOpponent::play(PlayContext& play, double seconds) {
 }
 
 std::string PoolOpponent::text() const {
-    return says_.empty() ? "carom thinks" : says_;
+    if (!says_.empty() || !ai_) return says_;
+    return fmt::format("{} thinks", ai_player(ai_->number()).name);
 }
 
 const CandidateShot* PoolCoach::think(const Session& session) {

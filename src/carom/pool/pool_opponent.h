@@ -11,9 +11,9 @@ namespace carom {
 
 class PoolOpponent {
   public:
-    /// least_skill..most_skill; 0: a person plays the second player.
-    void set_skill(int skill);
-    int skill() const { return ai_ ? ai_->skill() : 0; }
+    /// An AI player, by number (game/ai/opponents.h); 0: a person plays the second player.
+    void set(int number);
+    int number() const { return ai_ ? ai_->number() : 0; }
 
     /// Whether it is the AI player's turn to shoot or to choose.
     bool is_turn(const Session& session) const;

@@ -2,21 +2,31 @@
 
 #include <array>
 
+#include "game/ai/opponents.h"
+
 namespace carom {
 
-bool PoolPlayers::set_opponent(const Session& session, int skill) {
+bool PoolPlayers::set_opponent(const Session& session, int number) {
     if (!pool_of(session)) return false;
-    opponent_.set_skill(skill);
+    opponent_.set(number);
     announcer_.skip(session, names());
     return true;
 }
 
 PlayerNames PoolPlayers::names() const {
-    if (opponent() > 0) return {"you", "carom"};
+    if (opponent() > 0) return {"you", std::string(ai_player(opponent()).name)};
     return {"player 1", "player 2"};
 }
 
+bool PoolPlayers::set_match(const Session& session, bool is_match) {
+    const ShotsState* const shots = shots_of(session);
+    if (!shots || (shots->shots > 0 && !shots->is_over)) return false;
+    is_match_ = is_match;
+    return true;
+}
+
 bool PoolPlayers::is_match(const Session& session) const {
+    if (shots_of(session)) return is_match_.value_or(session.scene().rules.may_miss);
     return pool_of(session) && (opponent() > 0 || session.scene().pool.race > 0);
 }
 
@@ -62,6 +72,7 @@ void PoolPlayers::tally(const PlayContext& play, double seconds) {
 
 void PoolPlayers::continue_from(const Session& session, const PoolPlayers& before) {
     hand_ = before.hand_;
+    is_match_ = before.is_match_;
     tally_ = before.tally_;
     record_ = before.record_;
     if (before.opponent() > 0) set_opponent(session, before.opponent());

@@ -16,10 +16,10 @@ namespace carom {
 
 class PoolPlayers {
   public:
-    /// The AI player plays the second player from now on (PoolOpponent::set_skill). False without a
+    /// The AI player plays the second player from now on (PoolOpponent::set). False without a
     /// game of pool.
-    bool set_opponent(const Session& session, int skill);
-    int opponent() const { return opponent_.skill(); }
+    bool set_opponent(const Session& session, int number);
+    int opponent() const { return opponent_.number(); }
     bool is_opponents_turn(const Session& session) const { return opponent_.is_turn(session); }
     /// The opponent's announced shot.
     std::string opponent_text() const { return opponent_.text(); }
@@ -29,8 +29,15 @@ class PoolPlayers {
 
     /// A game against carom, or with a length (race=), is a match: the stroke may fail, and there
     /// is no undo, no coach and no forecast. All others are practice, where a shot is exactly as
-    /// aimed.
+    /// aimed. A game of shots is a match if the level says stroke=hand, or as the player chooses.
     bool is_match(const Session& session) const;
+    /// Changes between practice and match. False: not a game of shots, or it has begun.
+    bool set_match(const Session& session, bool is_match);
+    /// Whether the stars of the level's goal count: not in practice, where the level says
+    /// stroke=hand.
+    bool keeps_stars(const Session& session) const {
+        return is_match(session) || !session.scene().rules.may_miss;
+    }
 
     /// The level of the person's hand in a match, least_hand..most_hand.
     int hand() const { return hand_; }
@@ -42,6 +49,7 @@ class PoolPlayers {
 
     /// What the person had done in matches before this game.
     void set_record(const PoolRecord& record) { record_ = record; }
+    const PoolRecord& record_before() const { return record_; }
     /// The record before this game, and what has been counted since.
     PoolRecord record() const;
     /// What has been counted since the last call. Unless `all`, only once a frame has ended.
@@ -60,6 +68,7 @@ class PoolPlayers {
 
     PoolOpponent opponent_;
     int hand_ = 2;
+    std::optional<bool> is_match_{};  ///< of a game of shots; none: as the level says
     ShotAnnouncer announcer_;
     ShotClock clock_;
     ShotTally tally_;

@@ -36,6 +36,7 @@ void add_pool_title(const Session& session, const PlayerNames& names,
         info.title = turn_text(session.scene(), *shots_of(session));
         const std::string task = task_text(session.scene(), session.world(), *shots_of(session));
         if (!task.empty()) info.title += (info.title.empty() ? "" : "   ") + task;
+        info.goal.clear();  // the title has it
         return;
     }
     info.title = turn_text(*pool, names) + (time_left ? ", " + clock_text(*time_left) : "");

@@ -17,22 +17,30 @@ void ShotTally::look(const PoolPlay& pool, int opponent) {
     if (pool.is_shooting) is_safety_ = pool.call.kind == PoolCall::Kind::safety;
     if (!is_new) {
         if (was_shooting_ && !pool.is_shooting && pool.shooter == person) count_shot(pool);
-        if (is_over && !was_over_ && pool.rules.winner) {
-            PoolRecord::Frames& frames = since_.opponents[static_cast<std::size_t>(opponent - 1)];
-            ++(*pool.rules.winner == person ? frames.won : frames.lost);
-            has_ended_ = true;
-        }
+        if (is_over && !was_over_ && pool.rules.winner)
+            count_frame(pool, static_cast<std::size_t>(opponent - 1));
     }
     // A shot that began before the first look is not counted.
     was_shooting_ = pool.is_shooting && (was_shooting_ || (!is_new && pool.shots != *shots_));
+    if (pool.is_shooting && !was_shooting_) is_break_ = false;
+    if (!pool.is_shooting) is_break_ = pool.rules.phase == PoolPhase::breaking;
     was_over_ = is_over;
     shots_ = pool.shots;
-    if (pool.rules.player != person || is_over) run_ = 0;
+    if (pool.rules.player == person && !is_over) return;
+    run_ = 0;
+    shots_in_turn_ = 0;
+    broke_ = false;
 }
 
 void ShotTally::count_shot(const PoolPlay& pool) {
     ++since_.shots;
     since_.seconds += std::exchange(waited_, 0.0);
+    if (++shots_in_turn_ == 1) {
+        ++since_.turns;
+        broke_ = is_break_;
+    }
+    const bool is_attempt = !is_break_ && !is_safety_;
+    if (is_attempt) ++since_.attempts;
     if (pool.last_foul != PoolFoul::none) {
         ++since_.fouls;
         return;
@@ -43,20 +51,20 @@ void ShotTally::count_shot(const PoolPlay& pool) {
     };
     const auto balls =
         static_cast<std::uint64_t>(std::ranges::count_if(pool.shot.pocketed, is_object));
+    if (is_attempt && balls > 0) ++since_.made;
     since_.pots += balls;
     run_ += balls;
     since_.best_run = std::max(since_.best_run, run_);
 }
 
-std::string text_for_player(const PoolRecord& record) {
-    if (record.shots == 0) return "no shot in a match against carom yet";
-    std::string text = fmt::format(
-        "{} shots, {} balls, best run {}, {} safeties, {} fouls, {:.0f} s a shot; frames",
-        record.shots, record.pots, record.best_run, record.safeties, record.fouls,
-        record.seconds / static_cast<double>(record.shots));
-    for (const PoolRecord::Frames& frames : record.opponents)
-        text += fmt::format(" {}:{}", frames.won, frames.lost);
-    return text;
+void ShotTally::count_frame(const PoolPlay& pool, std::size_t opponent) {
+    const auto add = [&](PoolRecord::Results& results, int winner) {
+        ++(winner == person ? results.won : results.lost);
+    };
+    add(since_.frames[opponent], *pool.rules.winner);
+    if (broke_ && *pool.rules.winner == person) ++since_.breaks_and_runs;
+    if (const auto winner = match_winner(pool)) add(since_.matches[opponent], *winner);
+    has_ended_ = true;
 }
 
 }  // namespace carom

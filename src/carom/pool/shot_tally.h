@@ -13,8 +13,8 @@ namespace carom {
 /// Counts shots, pots and fouls of the first player, a person, in a match against carom.
 class ShotTally {
   public:
-    /// Looks at the game, at least once between two shots. `opponent`: its skill, from 1; 0: there
-    /// is none, and nothing counts.
+    /// Looks at the game, at least once between two shots. `opponent`: the number of an AI player;
+    /// 0: there is none, and nothing counts.
     void look(const PoolPlay& pool, int opponent);
     /// Lets the person's seconds pass. Pre: it is the person's turn to shoot or choose.
     void pass(double seconds) { waited_ += seconds; }
@@ -27,18 +27,19 @@ class ShotTally {
 
   private:
     void count_shot(const PoolPlay& pool);
+    void count_frame(const PoolPlay& pool, std::size_t opponent);
 
     PoolRecord since_;
     std::optional<std::uint32_t> shots_;  ///< seen so far
     bool was_shooting_ = false;
     bool was_over_ = false;
     bool is_safety_ = false;  ///< the call of the shot in progress
+    bool is_break_ = false;   ///< the shot in progress, or the next one
     std::uint64_t run_ = 0;   ///< balls in this turn at the table
-    double waited_ = 0.0;     ///< s in this turn
+    std::uint64_t shots_in_turn_ = 0;
+    bool broke_ = false;   ///< this turn began with a break
+    double waited_ = 0.0;  ///< s in this turn
     bool has_ended_ = false;
 };
-
-/// "120 shots, 60 balls, best run 5, 4 safeties, 9 s a shot; frames 3:1 0:2 0:0 0:0".
-std::string text_for_player(const PoolRecord& record);
 
 }  // namespace carom

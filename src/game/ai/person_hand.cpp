@@ -13,6 +13,8 @@ namespace {
 constexpr double share = 0.5;
 /// Keeps the draws of the person apart from those of the AI player.
 constexpr std::uint64_t person = 0x706c61796572u;
+/// Keeps the draws of a cue that scatters apart from both.
+constexpr std::uint64_t cue = 0x637565u;
 /// The share of the speed that a stroke off the line loses.
 constexpr double slip = 0.08;
 
@@ -34,6 +36,12 @@ command::Strike struck(const command::Strike& intended, const Stroke& stroke, in
     strike.velocity =
         Vec2{way.x * turn.cos - way.y * turn.sin, way.x * turn.sin + way.y * turn.cos} * speed;
     return with_noise(strike, shot_noise(level) * share, most, seed ^ person, shot);
+}
+
+command::Strike scattered(const command::Strike& intended, double scatter, double most,
+                          std::uint64_t seed, std::uint64_t shot) {
+    const ShotNoise error{.bearing = scatter, .speed = 0.0, .tip = 0.0};
+    return with_noise(intended, error, most, seed ^ cue, shot);
 }
 
 }  // namespace carom

@@ -28,4 +28,9 @@ double most_miss(int level);
 command::Strike struck(const command::Strike& intended, const Stroke& stroke, int level,
                        double most, std::uint64_t seed, std::uint64_t shot);
 
+/// What becomes of a strike where the level's cue scatters (Cue::scatter): its direction errs by
+/// this standard deviation, degrees, drawn from the seed and the number of the shot.
+command::Strike scattered(const command::Strike& intended, double scatter, double most,
+                          std::uint64_t seed, std::uint64_t shot);
+
 }  // namespace carom

@@ -19,12 +19,14 @@ constexpr double value_of_miss = -0.4;
 }  // namespace
 
 ShotPlanner::ShotPlanner(const Scene& scene, const World& world, const PoolPlay& play,
-                         const SolverSettings& solver, const ShotNoise& error, std::uint64_t seed)
+                         const SolverSettings& solver, const ShotNoise& error, std::uint64_t seed,
+                         const PlayStyle& style)
     : scene_(scene),
       world_(world),
       play_(play),
       solver_(solver),
       error_(error),
+      style_(style),
       seed_(seed),
       cloth_(cloth_box(scene).value_or(scene.view)),
       most_speed_(scene.pool.cue->most_power) {
@@ -63,6 +65,15 @@ bool ShotPlanner::continues_turn(const Forecast& ahead) const {
            (!play.rules.winner && play.rules.player == play_.rules.player);
 }
 
+// What the player's style adds to the value of a shot that succeeds so often.
+double ShotPlanner::liking_for(const CandidateShot& shot, double success) const {
+    using enum CandidateShot::Kind;
+    if (shot.kind == safety || shot.kind == push_out) return style_.safety;
+    if (shot.kind == break_off) return 0.0;
+    return style_.risk * (1.0 - success) + style_.pace * length(shot.strike.velocity) +
+           (shot.leaves ? style_.position * success : 0.0);
+}
+
 void ShotPlanner::work(int tries) {
     for (; tries > 0 && stage_ != Stage::done; --tries) {
         if (stage_ == Stage::trying)
@@ -83,6 +94,7 @@ void ShotPlanner::try_next() {
     const auto& play = std::get<PoolPlay>(ahead.game);
     if (continues_turn(ahead) && !play.rules.winner)
         trial.shot.leaves = outlook(scene_, ahead.world, play, cloth_, error_.bearing).easiest;
+    trial.first_value += liking_for(trial.shot, trial.chance);
     if (next_ == trials_.size()) begin_testing();
 }
 
@@ -111,8 +123,8 @@ void ShotPlanner::test_next() {
 void ShotPlanner::finish() {
     stage_ = Stage::done;
     for (Trial& trial : trials_) {
-        trial.shot.value = trial.sum / rounds;
         trial.shot.success = static_cast<double>(trial.continued) / rounds;
+        trial.shot.value = trial.sum / rounds + liking_for(trial.shot, trial.shot.success);
     }
     std::ranges::stable_sort(
         trials_, [](const Trial& a, const Trial& b) { return a.shot.value > b.shot.value; });

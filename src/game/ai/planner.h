@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "game/ai/play_style.h"
 #include "game/ai/pool_shots.h"
 #include "game/ai/shot_noise.h"
 #include "game/pool/pool.h"
@@ -31,7 +32,7 @@ struct CandidateShot {
     command::Strike strike;   ///< without noise
     std::optional<int> ball;  ///< the number of the ball that is aimed at
     int pocket = 0;           ///< the pocket aimed at, if any
-    double value = 0.0;       ///< -1 (lost) to 1 (won), mean over the trials with noise
+    double value = 0.0;  ///< -1 (lost) to 1 (won), mean over the trials with noise, and the style
     /// Share of the trials with noise after which the player continues or has won.
     double success = 0.0;
     std::optional<int> leaves;  ///< the easiest ball afterwards, without noise
@@ -49,7 +50,8 @@ class ShotPlanner {
     /// Pre: the balls are at rest, the phase is breaking or playing; the scene outlives the
     /// planner.
     ShotPlanner(const Scene& scene, const World& world, const PoolPlay& play,
-                const SolverSettings& solver, const ShotNoise& error, std::uint64_t seed);
+                const SolverSettings& solver, const ShotNoise& error, std::uint64_t seed,
+                const PlayStyle& style = {});
 
     /// Simulates up to `tries` more shots. How the work is divided does not change the result.
     void work(int tries);
@@ -81,6 +83,7 @@ class ShotPlanner {
     Forecast try_out(const Trial& trial, const command::Strike& strike);
     double value_of(const Forecast& ahead) const;
     bool continues_turn(const Forecast& ahead) const;
+    double liking_for(const CandidateShot& shot, double success) const;
     void try_next();
     void begin_testing();
     void test_next();
@@ -91,6 +94,7 @@ class ShotPlanner {
     PoolPlay play_;
     Solver solver_;
     ShotNoise error_;
+    PlayStyle style_;
     std::uint64_t seed_;
     Box cloth_;
     double most_speed_;

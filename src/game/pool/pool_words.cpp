@@ -13,13 +13,19 @@ const std::string& name_of(const PlayerNames& names, int player) {
     return names[static_cast<std::size_t>(player)];
 }
 
-// "you: wins the frame", or the match if that was its last frame.
+// "player 1 breaks", "you break". `verb`: in the third person, on s.
+std::string does(const std::string& name, std::string_view verb) {
+    if (name == "you") verb.remove_suffix(1);
+    return fmt::format("{} {}", name, verb);
+}
+
+// "you win the frame", or the match if that was its last frame.
 std::string win_text(const PoolPlay& play, const PlayerNames& names) {
     if (const auto winner = match_winner(play))
-        return fmt::format("{}: wins the match {}:{}", name_of(names, *winner),
+        return fmt::format("{} the match {}:{}", does(name_of(names, *winner), "wins"),
                            play.frames[static_cast<std::size_t>(*winner)],
                            play.frames[static_cast<std::size_t>(1 - *winner)]);
-    return name_of(names, *play.rules.winner) + ": wins the frame";
+    return does(name_of(names, *play.rules.winner), "wins") + " the frame";
 }
 
 // The player's target: ", solids, 5 left", ", on the 8", ", on the 3".
@@ -136,18 +142,20 @@ std::string call_text(const Scene& scene, const PoolCall& call) {
 
 std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
-    const std::string race = play.race > 0 ? fmt::format(" to {},", play.race) : "";
     const std::string points = rules.referee->score_text(rules);
-    const std::string frames = fmt::format("{}:{}{} {}", play.frames[0], play.frames[1], race,
-                                           points.empty() ? "" : fmt::format("({}) ", points));
+    // The frames, once there are any.
+    std::string frames;
+    if (play.race > 0 || play.frames != std::array<std::uint32_t, 2>{})
+        frames = fmt::format("{}:{}{} ", play.frames[0], play.frames[1],
+                             play.race > 0 ? fmt::format(" to {},", play.race) : "");
+    if (!points.empty()) frames += fmt::format("({}) ", points);
     if (rules.winner) return frames + win_text(play, names);
     const std::string warning = is_warned(rules) && !play.is_shooting
                                     ? ", " + std::string(rules.referee->warning_text())
                                     : "";
     const std::string name = name_of(names, rules.player);
     if (rules.phase == PoolPhase::breaking && !play.is_shooting)
-        return frames + name + (name == "you" ? " break: " : " breaks: ") +
-               "ball in hand behind the head string" + warning;
+        return frames + does(name, "breaks") + ": " + task_text(play) + warning;
     return frames + name + target_text(rules) + ": " + task_text(play) + warning;
 }
 
@@ -173,22 +181,22 @@ std::string outcome_parts(const PoolPlay& play, const PlayerNames& names) {
     std::string foul =
         play.last_foul == PoolFoul::none ? ""
         : play.last_penalty == 0
-            ? fmt::format("foul: {}. ", foul_text(play.last_foul))
-            : fmt::format("foul, {}: {}. ", play.last_penalty, foul_text(play.last_foul));
+            ? fmt::format("Foul: {}. ", foul_text(play.last_foul))
+            : fmt::format("Foul, {}: {}. ", play.last_penalty, foul_text(play.last_foul));
     PoolState shooter = rules;
     shooter.player = *play.shooter;
     if (play.last_foul != PoolFoul::none && is_warned(shooter))
         foul +=
             fmt::format("{}: {}. ", name_of(names, *play.shooter), rules.referee->warning_text());
     if (rules.phase == PoolPhase::breaking)
-        return foul + fmt::format("{}{} breaks again", foul.empty() ? "stalemate: " : "",
-                                  name_of(names, rules.player));
+        return foul + fmt::format("{}{} again", foul.empty() ? "Stalemate: " : "",
+                                  does(name_of(names, rules.player), "breaks"));
     if (rules.winner) return fallen + foul + win_text(play, names);
     const std::string& next = name_of(names, rules.player);
-    if (rules.phase == PoolPhase::choosing) return fallen + foul + next + ": to choose";
+    if (rules.phase == PoolPhase::choosing) return fallen + foul + does(next, "chooses");
     if (rules.in_hand != CueInHand::no) return fallen + foul + next + ": ball in hand";
-    if (rules.player == *play.shooter) return fallen + next + " continues";
-    return fallen + foul + next + ": to shoot";
+    if (rules.player == *play.shooter) return fallen + does(next, "continues");
+    return fallen + foul + does(next, "shoots");
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "game/ai/planner.h"
+#include "game/ai/opponents.h"
 #include "game/replay/replay_commands.h"
 #include "game/replay/replay_text.h"
 #include "game/session/fingerprint_mark.h"
@@ -188,10 +188,10 @@ class ReplayReader {
         return std::nullopt;
     }
 
-    Wrong opponent(int skill) {
-        if (skill < least_skill || skill > most_skill)
+    Wrong opponent(int number) {
+        if (number < 1 || number > most_opponent)
             return Fault{"there is no such opponent", take_out};
-        replay_.opponent = skill;
+        replay_.opponent = number;
         return std::nullopt;
     }
 

@@ -62,8 +62,8 @@
 ///     at 70 rack                          the next frame
 ///     at 71 time-out                      the shot clock has run out
 ///     mark 120 0123456789abcdef
-///     opponent 3                          the skill of the AI player as the second player;
-///                                         absent: a person
+///     opponent 3                          the number of the AI player that is the second player
+///                                         (ai/opponents.h); absent: a person
 ///     stance 30.5 2 0.1 -0.3 full pocket 4  the shot being set up: bearing, speed, side and
 ///                                         follow of the tip, aids, intent, pocket
 ///     time-left 12.5                      s on the shot clock; absent: all of it
@@ -95,7 +95,7 @@ struct Replay {
     std::vector<FingerprintMark> marks;
     std::uint64_t end = 0;       ///< the last tick
     std::uint64_t position = 0;  ///< the tick where the player stopped, 0..end
-    int opponent = 0;            ///< pool: skill of the AI player, 1..4; 0: two people
+    int opponent = 0;            ///< pool: number of the AI player; 0: two people
     std::optional<ShotSetup> setup;
     std::optional<double> time_left;  ///< on the shot clock, s
 };

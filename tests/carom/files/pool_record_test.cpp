@@ -16,7 +16,13 @@ namespace {
 PoolRecord some() {
     PoolRecord record{.shots = 12, .pots = 7, .safeties = 2, .fouls = 1, .best_run = 4};
     record.seconds = 120.0;
-    record.opponents[1] = {3, 1};
+    record.frames[1] = {3, 1};
+    record.frames[4] = {2, 1};
+    record.matches[4] = {1, 0};
+    record.attempts = 9;
+    record.made = 5;
+    record.turns = 4;
+    record.breaks_and_runs = 1;
     return record;
 }
 
@@ -61,7 +67,8 @@ TEST_CASE("the record of pool is kept, and reads back") {
 TEST_CASE("a record of pool that is not understood is left alone") {
     for (const char* const text :
          {"something else\n", "carom pool record 1\nshots many\n",
-          "carom pool record 1\nopponent 5 1 1\n", "carom pool record 1\nshots -3\n"})
+          "carom pool record 1\nopponent 5 1 1\n", "carom pool record 1\nmatch nobody 1 1\n",
+          "carom pool record 1\nshots -3\n"})
         CHECK(read_pool_record(text, "f").problem);
     CHECK(read_pool_record("carom pool record 1\nshots x\n", "f").problem->find("f:2") == 0);
 }
@@ -92,9 +99,42 @@ TEST_CASE("shots of the person count, and those of carom do not") {
     CHECK(record.safeties == 1);
     CHECK(record.fouls == 1);
     CHECK(record.seconds == 6.0);
-    CHECK(record.opponents[1] == PoolRecord::Frames{0, 1});
+    CHECK(record.frames[1] == PoolRecord::Results{0, 1});
+    CHECK(record.matches[1] == PoolRecord::Results{});
+    CHECK(record.attempts == 4);
+    CHECK(record.made == 2);
+    CHECK(record.turns == 3);
     CHECK(tally.take() == PoolRecord{});
-    CHECK(text_for_player(record).find("5 shots, 3 balls, best run 3") == 0);
+}
+
+TEST_CASE("a match, and a frame that is won from the break in one turn") {
+    ShotTally tally;
+    PoolPlay pool = at_the_table();
+    pool.race = 1;
+    pool.rules.phase = PoolPhase::breaking;
+    tally.look(pool, 5);
+    pool.shooter = 0;
+    for (const int ball : {1, 9}) {
+        ++pool.shots;
+        pool.is_shooting = true;
+        tally.look(pool, 5);
+        pool.is_shooting = false;
+        pool.shot = {};
+        pool.shot.pocketed.push_back({ball, 0});
+        pool.rules.phase = ball == 9 ? PoolPhase::over : PoolPhase::playing;
+        if (ball == 9) {
+            pool.rules.winner = 0;
+            pool.frames[0] = 1;
+        }
+        tally.look(pool, 5);
+    }
+    const PoolRecord record = tally.take();
+    CHECK(record.breaks_and_runs == 1);
+    CHECK(record.attempts == 1);
+    CHECK(record.made == 1);
+    CHECK(record.frames[4] == PoolRecord::Results{1, 0});
+    CHECK(record.matches[4] == PoolRecord::Results{1, 0});
+    CHECK(rungs_climbed(record) == 1);
 }
 
 TEST_CASE("without an opponent nothing counts, nor does a shot that was under way before") {

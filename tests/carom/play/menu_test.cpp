@@ -21,7 +21,8 @@ struct Visitor {
         : menu({{"balls", "Balls", "levels", "/l/balls.level"},
                 {"broken", "", "levels", "/l/broken.level"},
                 {"gas", "Ideal gas", "levels", "/l/gas.level"}},
-               [this](const std::string& path) {
+               [this](const MenuItem& item) {
+                   const std::string& path = item.path;
                    ++loads;
                    LoadedLevel level;
                    level.path = path;
@@ -82,7 +83,7 @@ TEST_CASE("typing searches names and titles") {
 TEST_CASE("typing searches what is said about a level too") {
     std::vector<MenuItem> items{{"plain", "Plain", "Play", "/l/plain.level", "Nothing special"},
                                 {"table", "Table", "Play", "/l/table.level", "Two jackpots"}};
-    Menu menu(items, [](const std::string&) { return LoadedLevel{}; });
+    Menu menu(items, [](const MenuItem&) { return LoadedLevel{}; });
     for (const char letter : std::string("jackpot")) {
         InputEvent event;
         event.key = static_cast<char32_t>(letter);
@@ -138,7 +139,7 @@ TEST_CASE("a broken level is reported") {
 }
 
 TEST_CASE("an empty menu can be left") {
-    Menu menu({}, [](const std::string&) { return LoadedLevel{}; });
+    Menu menu({}, [](const MenuItem&) { return LoadedLevel{}; });
     menu.advance(1.0, may_go_on);
     Canvas window(80, 24);
     menu.draw(window, 2.0, {});

@@ -319,14 +319,14 @@ TEST_CASE("the coach sets up its shot, and explains it") {
 }
 
 TEST_CASE("there is no opponent without a game of pool") {
-    Person person("drill-stop");
+    Person person("trick-fork");
     CHECK_FALSE(person.players().set_opponent(person.player.session(), 2));
     person.key(U'O');
     CHECK(person.sees("No game of pool"));
 }
 
 TEST_CASE("aiming aids: the ghost ball by default, a forecast, a cloud that is computed in steps") {
-    Person person("drill-half-ball");
+    Person person("trick-dead-line");
     const auto dots = [&] {
         const std::string text = person.look();
         return std::count(text.begin(), text.end(), '.');

@@ -144,7 +144,7 @@ TEST_CASE("errors in a replay are reported with their line") {
         {head + "fingerprint 99\nend 1\n", 9,
          "the fingerprints are of version 99, and this carom knows 2"},
         {head + "physics one\nend 1\n", 9, "'physics' is not complete or not right"},
-        {head + "opponent 5\nend 1\n", 9, "there is no such opponent"},
+        {head + "opponent 12\nend 1\n", 9, "there is no such opponent"},
         {head + "stance 1 2 3 4 full guess 0\nend 1\n", 9, "'stance' is not complete or not right"},
         {head + "stance 1 2 3 4 full pocket\nend 1\n", 9, "'stance' is not complete or not right"},
         {head + "at 1 strike 3 4\nend 1\n", 9, not_right},
