@@ -117,5 +117,7 @@ class PoolAim {
 
 /// The numbers on the balls, if a game or a rack gives them any.
 std::vector<PoolAnnotations::Number> numbers_of(const Session& session);
+/// The balls of a game of shots that have returned to the table.
+std::vector<PoolAnnotations::Returned> returned_of(const Session& session);
 
 }  // namespace carom

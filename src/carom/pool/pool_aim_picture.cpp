@@ -43,11 +43,26 @@ std::vector<PoolAnnotations::Number> numbers_of(const Session& session) {
         return numbers;
     }
     const PoolTable& pool = session.scene().pool;
-    if (pool.cues.size() == 1) numbers.push_back({pool.cue->ball, 0});
+    const auto* const shots = std::get_if<ShotsState>(&session.game());
+    const auto add = [&](BallId ball, int number) {
+        const auto now = shots ? shots->balls[*index_of(session.scene().world, ball)] : ball;
+        if (now) numbers.push_back({*now, number});
+    };
+    if (pool.cues.size() == 1) add(pool.cue->ball, 0);
     for (const Rack& rack : pool.racks)
         for (std::size_t i = 0; i < rack.balls.size(); ++i)
-            numbers.push_back({rack.balls[i], static_cast<int>(i) + 1});
+            add(rack.balls[i], static_cast<int>(i) + 1);
     return numbers;
+}
+
+std::vector<PoolAnnotations::Returned> returned_of(const Session& session) {
+    std::vector<PoolAnnotations::Returned> returned;
+    const auto* const shots = std::get_if<ShotsState>(&session.game());
+    const std::vector<BallId>& ids = session.scene().world.balls().id;
+    for (std::size_t ball = 0; shots && ball < shots->balls.size(); ++ball)
+        if (const auto now = shots->balls[ball]; now && *now != ids[ball])
+            returned.push_back({*now, ids[ball]});
+    return returned;
 }
 
 // The pocket that is called, or the only one that serves the player.
@@ -73,6 +88,7 @@ std::optional<int> PoolAim::marked_pocket(const Session& session) const {
 PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     PoolAnnotations annotations;
     annotations.numbers = numbers_of(session);
+    annotations.returned = returned_of(session);
     if (!aims || !may_aim(session) || !is_seen_) return annotations;
     const World& world = session.world();
     const BallId cue = *cue_ball(session);

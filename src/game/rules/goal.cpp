@@ -43,6 +43,9 @@ void note_goal(const RuleBook& book, const RuleState& rules, const RuleHost& hos
 std::string goal_text(const RuleBook& book, const GoalState& goal) {
     if (book.goals.empty()) return {};
     const LevelGoal& wanted = book.goals.front();
+    if (goal.done && goal.done->stars == 0)
+        return fmt::format("No star {}: it takes {:.0f}", amount(wanted, goal.done->spent),
+                           wanted.limits.back());
     if (goal.done)
         return fmt::format("Done {}: {} of {} stars", amount(wanted, goal.done->spent),
                            goal.done->stars, most_stars);

@@ -56,7 +56,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     if (options.color_by == ColorBy::kind) dress_balls(inks, scene, world, options.look);
     memory.ground.update(scene, camera, renderer_in_force(options), options.look);
     if (annotations.pool && options.color_by == ColorBy::kind)
-        color_pool_balls(inks, world, *annotations.pool, options.look);
+        color_pool_balls(inks, scene, world, *annotations.pool, options.look);
     Raster raster = memory.ground.raster();
     const View view{camera, scene, world, options, annotations, memory, contacts, inks};
     polish_balls(inks, view);

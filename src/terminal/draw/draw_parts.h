@@ -96,8 +96,8 @@ void paint_lit_edges(Raster& raster, const View& view);
 void paint_annotations(Raster& raster, const View& view);
 
 /// Gives numbered balls their pool colours.
-void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolAnnotations& pool,
-                      const Look& look);
+void color_pool_balls(std::vector<Ink>& inks, const Scene& scene, const World& world,
+                      const PoolAnnotations& pool, const Look& look);
 
 /// Whether the ball is a stripe of pool, white with a band in its colour.
 bool is_striped(const View& view, std::size_t ball);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "terminal/draw/draw_parts.h"
@@ -140,9 +141,21 @@ bool is_free(std::vector<NumberPlace>& taken, const NumberPlace& place) {
 
 }  // namespace
 
-void color_pool_balls(std::vector<Ink>& inks, const World& world, const PoolAnnotations& pool,
-                      const Look& look) {
+void color_pool_balls(std::vector<Ink>& inks, const Scene& scene, const World& world,
+                      const PoolAnnotations& pool, const Look& look) {
     if (!look.has_colors()) return;
+    const std::vector<ClassIndex>& kinds = world.balls().kind;
+    const bool is_by_id = std::ranges::adjacent_find(kinds, std::not_equal_to{}) == kinds.end();
+    for (const PoolAnnotations::Returned& back : pool.returned) {
+        const auto i = index_of(world, back.ball);
+        if (!i) continue;
+        auto color = color_in(scene.dress.balls, number(back.before));
+        if (!color) color = color_in(scene.dress.kinds, kinds[*i]);
+        if (color)
+            inks[*i] = dress_ink(*color, look);
+        else if (is_by_id)
+            inks[*i] = ink_of_class(number(back.before), look);
+    }
     for (std::size_t i = 0; i < inks.size(); ++i) {
         const int number = number_of(pool, world.balls().id[i]);
         if (number >= 0) inks[i] = ink_of_pool_ball(number, look);

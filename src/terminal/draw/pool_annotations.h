@@ -33,7 +33,14 @@ struct PoolAnnotations {
         bool is_pocketed = false;
     };
 
+    /// A ball that was off the table and is back, under a new id: it keeps its colour.
+    struct Returned {
+        BallId ball{};
+        BallId before{};  ///< as at the start
+    };
+
     std::vector<Number> numbers;
+    std::vector<Returned> returned;
     std::optional<Line> stick;   ///< the cue, from its tip to its butt
     std::optional<Line> aim;     ///< from the ball to its first impact
     std::optional<Line> object;  ///< the path of the object ball

@@ -82,6 +82,8 @@ TEST_CASE("drills: what is asked can be done, five times give three stars, a mis
         game.shoot_softly();
         CHECK(made(scene, game.state()) == 0);
         CHECK(game.state().message == "Missed.");
+        CHECK(task_text(scene, game.session.world(), game.session.game()) ==
+              "TRY 2 OF 5   DONE 0   MISSED 1");
         for (int attempt = 0; attempt < 4; ++attempt) {
             strike->ball = *cue_ball_of(scene, game.state());
             game.shoot(*strike);
@@ -105,4 +107,6 @@ TEST_CASE("drills: of five cuts each pot counts, from where the cue ball stops")
         game.shoot_softly();
     CHECK(game.state().is_over);
     CHECK(stars_of(game.session.game()) == 0);
+    CHECK(task_text(scene, game.session.world(), game.session.game()) ==
+          "No star with 1: it takes 3");
 }
