@@ -13,15 +13,16 @@ using namespace carom::test;
 
 namespace {
 
-// The ball is struck at tick 5, and goes 1e308 / 60 a tick: 108 ticks later its place is more than
-// a number can hold, about 1.8e308.
+// Both balls are struck at tick 5, side by side. Far out, numbers lie further apart than the balls
+// are wide: in tick 8 they come to lie in one place.
 struct Folder : TemporaryFolder {
     std::string level = file("far.level",
                              "carom 1 \"Far\"\n"
                              "rate 60\n"
                              "world 0,0 20,10\n"
-                             "ball at=0,5 r=1\n");
-    std::string far = file("far.txt", "at 5 strike 0 1e308,0\n");
+                             "ball at=0,5 r=1\n"
+                             "ball at=2.5,5 r=1\n");
+    std::string far = file("far.txt", "at 5 strike 0 1e18,0\nat 5 strike 1 1e18,0\n");
     std::string near = file("near.txt", "at 5 strike 0 1,0\n");
 
     Finished run(const std::string& commands, bool is_checked) const {
@@ -38,8 +39,8 @@ TEST_CASE("run --check ends with exit code 1 after the first tick that breaks an
     const Folder folder;
     const Finished broken = folder.run(folder.far, true);
     CHECK(broken.exit_code == 1);
-    CHECK(has(broken.err, "finite is broken in tick 113 (1.88333 s), ball 0"));
-    CHECK(has(broken.out, "\"ticks\": 113"));
+    CHECK(has(broken.err, "overlap is broken in tick 8 (0.133333 s), ball 0, ball 1: by 2"));
+    CHECK(has(broken.out, "\"ticks\": 8"));
 }
 
 TEST_CASE("run --check goes to the end where nothing is broken, and so does a run without it") {
