@@ -98,6 +98,8 @@ TEST_CASE("the shipped tables lose no ball: none stuck, none outside, all of the
 TEST_CASE("a first-timer's ball lasts a while, and the demonstration player keeps it and aims") {
 #ifdef NDEBUG
     constexpr std::uint64_t balls = 20;
+    std::uint64_t tried = 0;
+    std::uint64_t made = 0;
     for (const std::string& table : tables) {
         const PinballGames first = check_first_timer(table, balls);
         CHECK(mean_ball_time(first) > 25.0);
@@ -107,8 +109,12 @@ TEST_CASE("a first-timer's ball lasts a while, and the demonstration player keep
         const PinballGames demo = check_demo(table, balls, 60.0);
         CHECK(demo.ball_times.size() <= 2);
         CHECK(demo.shots_tried >= 2);
-        CHECK(3 * demo.shots_made > demo.shots_tried);
+        tried += demo.shots_tried;
+        made += demo.shots_made;
     }
+    // A minute of one table has too few shots to judge by.
+    CHECK(2 * made > tried);
+    MESSAGE("shots made: " << made << " of " << tried);
 #endif
 }
 
