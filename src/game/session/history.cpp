@@ -14,15 +14,15 @@ std::uint64_t apart(std::uint64_t a, std::uint64_t b) {
 
 }  // namespace
 
-std::size_t bytes_of(const World& world) {
-    return sizeof(Snapshot) - sizeof(World) + world.bytes();
+std::size_t bytes_of_snapshot(const World& world) {
+    return sizeof(Snapshot) - sizeof(World) + bytes_of(world);
 }
 
 void History::keep(const World& world, const SolverSettings& solver, const GameState& game) {
     const auto place = std::ranges::lower_bound(snapshots_, world.tick(), {}, tick_of);
     if (place != snapshots_.end() && tick_of(*place) == world.tick()) return;
     Kept kept{{world, solver, game}, 0};
-    kept.bytes = bytes_of(kept.snapshot.world) +
+    kept.bytes = bytes_of_snapshot(kept.snapshot.world) +
                  bytes_of(kept.snapshot.game);  // of the copy, which has no spare capacity
     if (kept.bytes > limit_) return;
     bytes_ += kept.bytes;

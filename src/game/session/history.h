@@ -20,7 +20,7 @@ struct Snapshot {
 };
 
 /// The size of a snapshot of the world, without the game, in bytes.
-std::size_t bytes_of(const World& world);
+std::size_t bytes_of_snapshot(const World& world);
 
 /// Invariants: ascending by tick, no tick twice; bytes() <= the limit.
 class History {

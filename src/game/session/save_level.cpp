@@ -132,7 +132,8 @@ class LevelWriter {
         names.insert(names.end(), materials_.begin(), materials_.end());
         for (std::size_t a = 0; a < world_.kinds().size(); ++a)
             for (std::size_t b = a; b < names.size(); ++b)
-                if (world_.meets()[a * names.size() + b]) line("collide {} {}", names[a], names[b]);
+                if (world_.definition().meets[a * names.size() + b])
+                    line("collide {} {}", names[a], names[b]);
     }
 
     static std::string friction(double coefficient) {

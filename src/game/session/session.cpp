@@ -120,7 +120,7 @@ void Session::bound_log() {
         history_.forget_before(start);
     }
     const std::size_t taken =
-        bytes_of(log_) + (base_ ? bytes_of(base_->world) + bytes_of(base_->game) : 0);
+        bytes_of(log_) + (base_ ? bytes_of_snapshot(base_->world) + bytes_of(base_->game) : 0);
     history_.set_limit(rewind_bytes_ - std::min(rewind_bytes_, taken), world_.tick());
 }
 
@@ -201,7 +201,7 @@ bool Session::restore(std::uint64_t tick) {
         executed_ = 0;
         execute_log_of_this_tick();
     }
-    const std::uint64_t affordable = rewind_bytes_ / dense_share / bytes_of(world_);
+    const std::uint64_t affordable = rewind_bytes_ / dense_share / bytes_of_snapshot(world_);
     const std::uint64_t dense = std::min(affordable, most_dense_ticks);
     while (world_.tick() < tick) {
         if (tick - world_.tick() <= dense || world_.tick() % History::spacing == 0)
@@ -249,7 +249,7 @@ void Session::restart() {
 
 std::size_t Session::rewind_bytes_used() const {
     return history_.bytes() + bytes_of(log_) +
-           (base_ ? bytes_of(base_->world) + bytes_of(base_->game) : 0);
+           (base_ ? bytes_of_snapshot(base_->world) + bytes_of(base_->game) : 0);
 }
 
 }  // namespace carom

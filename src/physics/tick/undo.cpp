@@ -19,7 +19,7 @@ void TickUndo::note(const World& world) {
 void TickUndo::take_back(World& world) const {
     world.edit_balls() = balls_;
     world.edit_definition().model.inelastic = inelastic_;
-    world.give_back_ball_ids(next_ball_);
+    world.edit_ids().next_ball = next_ball_;
     world.edit_emitters() = emitters_;
     if (!held_balls_.empty()) world.edit_held_balls() = held_balls_;
     world.edit_held_capsules() = held_capsules_;

@@ -17,6 +17,16 @@ constexpr std::uint32_t number(CapsuleId id) {
     return static_cast<std::uint32_t>(id);
 }
 
+/// The ids that a world gives next. To give back those of balls from some id on, set `next_ball`
+/// to it; no ball may have one of them.
+struct NextIds {
+    std::uint32_t next_ball = 0;
+    std::uint32_t next_capsule = 0;
+
+    BallId take_ball() { return BallId{next_ball++}; }
+    CapsuleId take_capsule() { return CapsuleId{next_capsule++}; }
+};
+
 /// Whether ids that ascend are consecutive: then each is the first and its index.
 template <typename Id>
 bool are_consecutive(const std::vector<Id>& ids) {

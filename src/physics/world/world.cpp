@@ -73,20 +73,22 @@ SolverMemory& World::edit_memory() {
     return memory_;
 }
 
-std::size_t World::bytes() const {
-    return sizeof(World) + bytes_in_columns(balls_) + bytes_in_columns(capsules_) +
-           bytes_in(definition_.kinds) + bytes_in(definition_.materials) +
-           bytes_in(definition_.meets) + bytes_in(definition_.zones) + bytes_in(emitters_) +
-           bytes_in(flippers_) + bytes_in(movers_) + bytes_of_edges(movers_) + bytes_in(seesaws_) +
-           bytes_in(held_balls_) + bytes_in(held_capsules_) + bytes_in(hands_.each) +
-           bytes_in(ledger_.counters) + bytes_in(ledger_.removed) + memory_.bytes();
+std::size_t bytes_of(const World& world) {
+    const Definition& definition = world.definition();
+    return sizeof(World) + bytes_in_columns(world.balls()) + bytes_in_columns(world.capsules()) +
+           bytes_in(definition.kinds) + bytes_in(definition.materials) +
+           bytes_in(definition.meets) + bytes_in(definition.zones) + bytes_in(world.emitters()) +
+           bytes_in(world.flippers()) + bytes_in(world.movers()) + bytes_of_edges(world.movers()) +
+           bytes_in(world.seesaws()) + bytes_in(world.held_balls()) +
+           bytes_in(world.held_capsules()) + bytes_in(world.hands().each) +
+           bytes_in(world.counters()) + bytes_in(world.removed()) + world.memory().bytes();
 }
 
 BallId add_ball(World& world, const BallSpec& spec) {
     const Kind& kind = world.kinds()[spec.kind];
     assert(spec.mass.value_or(kind.mass) > 0.0);
     if (spec.restitution.value_or(kind.restitution) < 1.0) become_inelastic(world);
-    const BallId id = world.take_ball_id();
+    const BallId id = world.edit_ids().take_ball();
     Balls& balls = world.edit_balls();
     Balls::for_each_column([&](const auto& column) {
         if (column.is_used(world.model()))
@@ -118,7 +120,7 @@ CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material, S
     if (made_of.restitution < 1.0 || made_of.soften > 0.0) become_inelastic(world);
     if (made_of.kick > 0.0) world.edit_definition().model.kicks = true;
     if (side != Side::both) become_one_way(world);
-    const CapsuleId id = world.take_capsule_id();
+    const CapsuleId id = world.edit_ids().take_capsule();
     Capsules& capsules = world.edit_capsules();
     capsules.id.push_back(id);
     capsules.shape.push_back(shape);
@@ -208,13 +210,13 @@ std::vector<std::uint64_t> census(const World& world) {
 bool kinds_meet(const World& world, ClassIndex a, ClassIndex b) {
     if (!world.model().filtered) return true;
     const std::size_t classes = world.kinds().size() + world.materials().size();
-    return world.meets()[a * classes + b] != 0;
+    return world.definition().meets[a * classes + b] != 0;
 }
 
 bool kind_meets_material(const World& world, ClassIndex kind, ClassIndex material) {
     if (!world.model().filtered) return true;
     const std::size_t classes = world.kinds().size() + world.materials().size();
-    return world.meets()[kind * classes + world.kinds().size() + material] != 0;
+    return world.definition().meets[kind * classes + world.kinds().size() + material] != 0;
 }
 
 }  // namespace carom

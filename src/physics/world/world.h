@@ -41,7 +41,6 @@ class World {
     double rate() const { return definition_.rate; }  ///< ticks a second
     const std::vector<Kind>& kinds() const { return definition_.kinds; }
     const std::vector<Material>& materials() const { return definition_.materials; }
-    const std::vector<std::uint8_t>& meets() const { return definition_.meets; }
     const std::vector<Zone>& zones() const { return definition_.zones; }
 
     std::uint64_t tick() const { return tick_; }                         ///< ticks done
@@ -68,9 +67,7 @@ class World {
     const SolverMemory& memory() const { return memory_; }
     const Stamps& stamps() const { return stamps_; }
     /// Number of the next ball to be added: ids are given once.
-    std::uint32_t next_ball() const { return next_ball_; }
-    /// Bytes that a copy occupies.
-    std::size_t bytes() const;
+    std::uint32_t next_ball() const { return ids_.next_ball; }
 
     Definition& edit_definition();
     std::uint64_t& edit_tick() { return tick_; }
@@ -85,11 +82,8 @@ class World {
     Hands& edit_hands() { return hands_; }
     Ledger& edit_ledger() { return ledger_; }
     SolverMemory& edit_memory();
-    /// A new id. The caller adds the row.
-    BallId take_ball_id() { return BallId{next_ball_++}; }
-    CapsuleId take_capsule_id() { return CapsuleId{next_capsule_++}; }
-    /// The ids from `next` on are free again. Pre: no ball has one of them.
-    void give_back_ball_ids(std::uint32_t next) { next_ball_ = next; }
+    /// Whoever takes an id adds the row.
+    NextIds& edit_ids() { return ids_; }
 
   private:
     friend class SolverAccess;
@@ -108,9 +102,11 @@ class World {
     Ledger ledger_;
     SolverMemory memory_;
     Stamps stamps_;
-    std::uint32_t next_ball_ = 0;
-    std::uint32_t next_capsule_ = 0;
+    NextIds ids_;
 };
+
+/// Bytes that a copy occupies.
+std::size_t bytes_of(const World& world);
 
 /// Pre: kind is an index into World::kinds(); radius and mass positive and finite. A restitution
 /// below 1 sets Model::inelastic.

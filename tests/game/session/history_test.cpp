@@ -69,7 +69,7 @@ TEST_CASE("dropping snapshots frees their memory") {
 
 TEST_CASE(
     "memory stays under the limit, and gaps grow in proportion to the distance from the present") {
-    const std::size_t one = bytes_of(world_at(0));
+    const std::size_t one = bytes_of_snapshot(world_at(0));
     for (const std::size_t room : {40u, 100u, 400u}) {
         CAPTURE(room);
         History history(room * one);
@@ -87,14 +87,14 @@ TEST_CASE(
 }
 
 TEST_CASE("a world larger than the limit is not kept") {
-    History history(bytes_of(world_at(0)) - 1);
+    History history(bytes_of_snapshot(world_at(0)) - 1);
     history.keep(world_at(0), {});
     CHECK(history.size() == 0);
     CHECK(history.bytes() == 0);
 }
 
 TEST_CASE("a lower limit thins at once") {
-    const std::size_t one = bytes_of(world_at(0));
+    const std::size_t one = bytes_of_snapshot(world_at(0));
     History history(100 * one);
     for (std::uint64_t tick = 0; tick < 100; ++tick)
         history.keep(world_at(tick), {});

@@ -23,7 +23,8 @@ bool stands(const World& world, std::size_t capsule) {
     const ClassIndex material = world.capsules().material[capsule];
     if (!world.model().filtered) return true;
     const std::size_t classes = world.kinds().size() + world.materials().size();
-    return world.meets()[world.balls().kind[0] * classes + world.kinds().size() + material] != 0;
+    return world.definition()
+               .meets[world.balls().kind[0] * classes + world.kinds().size() + material] != 0;
 }
 
 /// An edge, from its lower end on the chain to its upper one.

@@ -93,11 +93,12 @@ TEST_CASE("solver memory: a copy has a memory of its own, and a world knows its 
     World copied;
     copied = world;
     CHECK(event_memory(copied).trajectories == event_memory(world).trajectories);
-    CHECK(copied.bytes() == world.bytes());
+    CHECK(bytes_of(copied) == bytes_of(world));
     edit_event_memory(copied).clustered.clear();
     CHECK(event_memory(world).clustered.size() == 2);
-    CHECK(world.bytes() >= World{}.bytes() + sizeof(EventMemory) + 2 * sizeof(StoredLinearPart) +
-                               2 * sizeof(StoredCurvedPart) + 2 * sizeof(StoredSpin));
+    CHECK(bytes_of(world) >= bytes_of(World{}) + sizeof(EventMemory) +
+                                 2 * sizeof(StoredLinearPart) + 2 * sizeof(StoredCurvedPart) +
+                                 2 * sizeof(StoredSpin));
     forget_trajectories(copied);
     CHECK(event_memory(copied).trajectories.lines.empty());
     CHECK(event_memory(copied).contacts.size() == 1);

@@ -66,7 +66,7 @@ std::uint64_t digest_of_obstacles(const World& world) {
     for (const double radius : world.balls().radius)
         digest = digest_with(digest, radius);
     if (world.model().filtered)
-        for (const std::uint8_t meets : world.meets())
+        for (const std::uint8_t meets : world.definition().meets)
             digest = digest_with(digest, std::uint64_t{meets});
     return digest | 1;
 }
