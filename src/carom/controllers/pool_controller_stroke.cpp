@@ -145,8 +145,8 @@ bool PoolController::take_release(PlayContext& play) {
 void PoolController::shoot(PlayContext& play, const std::optional<Stroke>& stroke) {
     stroke_.end();
     const Session& session = play.session;
-    const double most = aim_.most_speed(session);
-    const double scatter = aim_.scatter(session);
+    const double most = cue_in_turn(session).most_power;
+    const double scatter = cue_in_turn(session).scatter;
     const std::uint64_t seed = session.world().seed();
     for (Command command : aim_.shot(session)) {
         auto* const strike = std::get_if<command::Strike>(&command);
@@ -167,7 +167,7 @@ bool PoolController::shoot_with_key(PlayContext& play) {
     if (aims_with_keys(play)) {
         const double speed = length(aim_.strike(play.session).velocity);
         if (players_.is_match(play.session))
-            stroke_.start_meter(speed, aim_.most_speed(play.session));
+            stroke_.start_meter(speed, cue_in_turn(play.session).most_power);
         else
             shoot(play);
         return true;

@@ -7,6 +7,7 @@
 
 #include "carom/files/high_scores.h"
 #include "carom/pool/record_page.h"
+#include "game/ai/daily_shot.h"
 #include "game/ai/opponents.h"
 #include "game/rules/goal.h"
 
@@ -117,6 +118,19 @@ int today() {
     std::tm parts{};
     localtime_r(&now, &parts);
     return (parts.tm_year + 1900) * 10000 + (parts.tm_mon + 1) * 100 + parts.tm_mday;
+}
+
+LevelSource source_of(const PlayOptions& options, const Challenge& challenge) {
+    LevelSource source = source_of(options, challenge.level);
+    std::vector<std::string> amendments = challenge.amendments;
+    if (challenge.kind == Challenge::Kind::daily) {
+        const LoadedLevel loaded = load(source);
+        const auto shot =
+            loaded.result.scene ? daily_shot(*loaded.result.scene, challenge.date) : std::nullopt;
+        if (shot) amendments = amendments_of(*shot, challenge.date);
+    }
+    source.overrides.insert(source.overrides.end(), amendments.begin(), amendments.end());
+    return source;
 }
 
 }  // namespace carom

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "carom/files/level_files.h"
+#include "carom/files/level_source.h"
 #include "carom/files/pool_record.h"
 
 /// The menu's group of challenges at pool: the shot of the day, the ladder of opponents, a match
@@ -34,6 +36,9 @@ struct Challenge {
 /// The challenges whose levels ship, in the menu's order. `date`: today.
 std::vector<Challenge> challenges(std::span<const LevelEntry> shipped, const PoolRecord& record,
                                   int date);
+
+/// The level of a challenge, with its amendments.
+LevelSource source_of(const PlayOptions& options, const Challenge& challenge);
 
 /// The item of the rung that the player climbs next; empty: all are climbed.
 std::string next_challenge(const PoolRecord& record);

@@ -127,7 +127,7 @@ void Program::show_menu(std::string_view choose) {
     const auto folder = resume_folder();
     const auto interrupted = folder ? interrupted_games(*folder) : std::vector<InterruptedGame>{};
     const auto load_for_picture = [this](const MenuItem& item) {
-        return load(item.challenge ? source_of(*item.challenge)
+        return load(item.challenge ? source_of(options_, *item.challenge)
                                    : carom::source_of(options_, item.path));
     };
     page_.emplace<Menu>(menu_items(interrupted), load_for_picture, choose);
@@ -277,7 +277,7 @@ void Program::leave_game() {
     auto* game = std::get_if<RunningGame>(&page_);
     if (!game) return;
     keep_key_repeat(*game);
-    keep_pool_record(*game, true);
+    game->keep_pool_record(true);
     is_kept_ = game->leave();
 }
 
@@ -285,7 +285,7 @@ void Program::interrupt() {
     auto* game = std::get_if<RunningGame>(&page_);
     if (!game) return;
     keep_key_repeat(*game);
-    keep_pool_record(*game, true);
+    game->keep_pool_record(true);
     game->autosave();
     if (recording_)
         lost_recording_ =

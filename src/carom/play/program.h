@@ -96,8 +96,6 @@ class Program {
     std::optional<Problems> open_recording();
     void open_or_tell(const LevelSource& source);
     void open_challenge(const Challenge& challenge);
-    LevelSource source_of(const Challenge& challenge) const;
-    void show_record(const Challenge& challenge);
     void resume(const InterruptedGame& game);
     void finish_resuming();
     void enter(LevelSource source, Player player, std::optional<InterruptedGame> offer);
@@ -115,8 +113,6 @@ class Program {
 
     void reload(RunningGame& game);
     ViewOptions view() const;
-    void keep_pool_record(RunningGame& game, bool all);
-    void keep_stars(RunningGame& game);
     void keep_key_repeat(const RunningGame& game);
     void keep_setting(std::string_view name, std::string_view value);
 

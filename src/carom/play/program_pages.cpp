@@ -65,7 +65,7 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
         preferences_.hand = players->hand();
         keep_setting("hand", std::to_string(players->hand()));
     }
-    keep_pool_record(game, false);
+    game.keep_pool_record(false);
     if (next_autosave_ < now) next_autosave_ = now + autosave_interval;
     switch (request) {
         case PlayRequest::quit:
@@ -174,7 +174,7 @@ void Program::advance_game(RunningGame& game, double seconds, double now,
     if (game.player.is_watching())
         game.compare_marks();
     else
-        keep_stars(game);
+        game.keep_stars();
     if (now >= next_autosave_) {
         next_autosave_ = now + autosave_interval;
         game.autosave();

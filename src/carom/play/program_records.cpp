@@ -1,11 +1,9 @@
-// What the program keeps from one game to the next: settings, and the record of pool matches.
+// What the program keeps from one game to the next: settings.
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "carom/files/high_scores.h"
-#include "carom/files/pool_record.h"
 #include "carom/play/program.h"
 
 namespace carom {
@@ -28,29 +26,6 @@ void Program::keep_key_repeat(const RunningGame& game) {
         return;
     preferences_.key_repeat = now;
     keep_setting("key-repeat", text_of(*now));
-}
-
-void Program::keep_pool_record(RunningGame& game, bool all) {
-    PoolPlayers* const players = game.player.pool_players();
-    const auto since = players ? players->take_record(all) : std::nullopt;
-    if (!since) return;
-    const PoolRecordText kept = carom::keep_pool_record(*since);
-    if (kept.problem) game.player.complain(*kept.problem);
-    const std::size_t before = rungs_climbed(players->record_before());
-    players->set_record(kept.record);
-    if (rungs_climbed(kept.record) == before) return;
-    game.player.say(climb_text(kept.record));
-    game.entry = next_challenge(kept.record);
-}
-
-void Program::keep_stars(RunningGame& game) {
-    const int stars = stars_of(game.player.session().game());
-    const PoolPlayers* const players = game.player.pool_players();
-    if (stars <= game.stars || (players && !players->keeps_stars(game.player.session()))) return;
-    game.stars = stars;
-    if (const auto problem =
-            carom::keep_stars(game.stars_name.empty() ? game.source.path : game.stars_name, stars))
-        game.player.complain(*problem);
 }
 
 }  // namespace carom

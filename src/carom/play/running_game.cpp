@@ -9,7 +9,10 @@
 #include "carom/controllers/pool_controller.h"
 #include "carom/files/files.h"
 #include "carom/files/guest.h"
+#include "carom/files/high_scores.h"
 #include "carom/files/level_files.h"
+#include "carom/files/pool_record.h"
+#include "carom/play/challenge.h"
 #include "game/session/amend_level.h"
 #include "game/session/save_level.h"
 
@@ -131,6 +134,29 @@ void RunningGame::save_level(const SavePrompt::Answer& answer, std::size_t most)
     const auto removed = most == unlimited ? std::nullopt : remove_oldest_levels(most);
     if (removed) done += fmt::format(" {}, the oldest of {}, is gone.", *removed, most);
     player.say(done);
+}
+
+void RunningGame::keep_pool_record(bool all) {
+    PoolPlayers* const players = player.pool_players();
+    const auto since = players ? players->take_record(all) : std::nullopt;
+    if (!since) return;
+    const PoolRecordText kept = carom::keep_pool_record(*since);
+    if (kept.problem) player.complain(*kept.problem);
+    const std::size_t before = rungs_climbed(players->record_before());
+    players->set_record(kept.record);
+    if (rungs_climbed(kept.record) == before) return;
+    player.say(climb_text(kept.record));
+    entry = next_challenge(kept.record);
+}
+
+void RunningGame::keep_stars() {
+    const int reached = stars_of(player.session().game());
+    const PoolPlayers* const players = player.pool_players();
+    if (reached <= stars || (players && !players->keeps_stars(player.session()))) return;
+    stars = reached;
+    if (const auto problem =
+            carom::keep_stars(stars_name.empty() ? source.path : stars_name, reached))
+        player.complain(*problem);
 }
 
 }  // namespace carom

@@ -55,6 +55,11 @@ struct RunningGame {
     /// flat as NAME-flat.level. An existing file stays. `most`: levels that may be kept there; the
     /// oldest give way.
     void save_level(const SavePrompt::Answer& answer, std::size_t most = unlimited);
+    /// Adds what has been played at pool since the last call to the player's record. `all`: also of
+    /// a match that goes on.
+    void keep_pool_record(bool all);
+    /// Keeps the stars of the level's goal, if they are more than before in this game.
+    void keep_stars();
     static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 };
 

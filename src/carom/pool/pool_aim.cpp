@@ -69,16 +69,9 @@ bool PoolAim::may_place(const Session& session) const {
     return game && may_aim(session) && game->rules.in_hand != CueInHand::no;
 }
 
-double PoolAim::most_speed(const Session& session) const {
-    if (const ShotsState* shots = shots_of(session))
-        return cue_in_turn(session.scene(), *shots).most_power;
-    return session.scene().pool.cue->most_power;
-}
-
-double PoolAim::scatter(const Session& session) const {
-    if (const ShotsState* shots = shots_of(session))
-        return cue_in_turn(session.scene(), *shots).scatter;
-    return session.scene().pool.cue->scatter;
+const Cue& cue_in_turn(const Session& session) {
+    if (const ShotsState* shots = shots_of(session)) return cue_in_turn(session.scene(), *shots);
+    return *session.scene().pool.cue;
 }
 
 std::vector<BallId> PoolAim::targets(const Session& session) const {
@@ -98,9 +91,10 @@ void PoolAim::begin_turn(const Session& session) {
     const PoolPlay* game = play(session);
     const bool is_break =
         game && game->rules.phase == PoolPhase::breaking && game->rules.referee->breaks_hard();
-    setup_ = {.bearing = setup_.bearing,
-              .speed = std::min(is_break ? break_speed : usual_speed, most_speed(session)),
-              .aids = setup_.aids};
+    setup_ = {
+        .bearing = setup_.bearing,
+        .speed = std::min(is_break ? break_speed : usual_speed, cue_in_turn(session).most_power),
+        .aids = setup_.aids};
     pot_ = 0;
     pot_text_.clear();
     has_aimed_ = false;
@@ -128,7 +122,7 @@ void PoolAim::set_up(const Session& session, const ShotSetup& setup) {
     constexpr double most = command::Strike::most_offset;
     if (!(setup.side * setup.side + setup.follow * setup.follow <= most * most))
         setup_.side = setup_.follow = 0.0;
-    setup_.speed = std::clamp(setup.speed, least_speed, most_speed(session));
+    setup_.speed = std::clamp(setup.speed, least_speed, cue_in_turn(session).most_power);
     const auto pockets = static_cast<int>(session.scene().pool.pockets.size());
     if (setup.pocket < 0 || setup.pocket >= pockets) {
         setup_.pocket = 0;
@@ -174,7 +168,8 @@ void PoolAim::pull(const Session& session, Vec2 hand) {
     if (!(length(way) > 0.0)) return;
     setup_.bearing = bearing_of(way);
     has_aimed_ = true;
-    setup_.speed = std::clamp(length(way) * pull_gain, least_speed, most_speed(session));
+    setup_.speed =
+        std::clamp(length(way) * pull_gain, least_speed, cue_in_turn(session).most_power);
 }
 
 void PoolAim::set_match(bool is_match) {
@@ -261,7 +256,7 @@ std::string PoolAim::next_aids() {
 
 command::Strike PoolAim::strike(const Session& session) const {
     const double angle = setup_.bearing * pi / 180.0;
-    const double speed = std::min(setup_.speed, most_speed(session));
+    const double speed = std::min(setup_.speed, cue_in_turn(session).most_power);
     command::Strike strike;
     strike.ball = cue_ball(session).value_or(BallId{});
     strike.velocity = {speed * std::cos(angle), speed * std::sin(angle)};

@@ -66,9 +66,6 @@ class PoolAim {
     void set_up(const Session& session, const ShotSetup& setup);
 
     command::Strike strike(const Session& session) const;
-    double most_speed(const Session& session) const;
-    /// Cue::scatter of the player's cue.
-    double scatter(const Session& session) const;
     /// The commands of the shot: the call, where one is due, and the strike. Pre: may_aim().
     std::vector<Command> shot(const Session& session);
 
@@ -115,6 +112,8 @@ class PoolAim {
     std::uint64_t cloud_shots_ = 0;
 };
 
+/// The cue of the player in turn. Pre: PoolAim::is_at() the session's scene.
+const Cue& cue_in_turn(const Session& session);
 /// The numbers on the balls, if a game or a rack gives them any.
 std::vector<PoolAnnotations::Number> numbers_of(const Session& session);
 /// The balls of a game of shots that have returned to the table.

@@ -35,7 +35,7 @@ void PoolAim::look(const Session& session) {
                               : shots ? std::uint64_t{shots->games} << 32 | shots->shots
                                       : 0;
     if (std::exchange(turn_, now) != now) begin_turn(session);
-    setup_.speed = std::min(setup_.speed, most_speed(session));
+    setup_.speed = std::min(setup_.speed, cue_in_turn(session).most_power);
     // The ball in hand was moved: aim anew.
     if (!has_aimed_ && may_place(session) && positions_ != session.world().balls().position)
         aim_at_nearest(session);
@@ -59,7 +59,7 @@ bool PoolAim::has_work() const {
 bool PoolAim::work(const Session& session) {
     if (!has_work() || !may_aim(session)) return false;
     const ShotNoise usual;
-    const command::Strike off = with_noise(strike(session), usual, most_speed(session),
+    const command::Strike off = with_noise(strike(session), usual, cue_in_turn(session).most_power,
                                            session.world().seed(), cloud_shots_++);
     Solver solver(session.solver());
     const Forecast ahead = forecast(session.scene(), session.world(), session.game(), solver, off,

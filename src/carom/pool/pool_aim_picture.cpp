@@ -131,8 +131,8 @@ std::string PoolAim::line(const Session& session, const Look& look) const {
     if (!may_aim(session)) return "";
     const command::Strike strike = this->strike(session);
     const double speed = length(strike.velocity);
-    std::string text =
-        fmt::format("{} {:.2f} m/s", power_bar(speed / most_speed(session), look), speed);
+    std::string text = fmt::format("{} {:.2f} m/s",
+                                   power_bar(speed / cue_in_turn(session).most_power, look), speed);
     const std::string called = call_text(session.scene(), call(session));
     const bool tells = shown_aids() != Aids::none || setup_.intent != Intent::automatic;
     if (!called.empty() && tells) text += "  calls: " + called;
