@@ -14,6 +14,35 @@ namespace {
 // Within a tick an edge goes straight, so a round must take many of them.
 constexpr double least_ticks = 12.0;
 
+// How a statement that moves edges speaks of them.
+struct MovingWords {
+    FaultCode of_part;
+    FaultCode of_one_way;
+    FaultCode twice;
+    std::string_view verb;
+    std::string_view instead_of_part;
+    std::string_view once;
+};
+
+// Whether nothing keeps the edge from being moved; else the author is told what does.
+bool is_free(const CapsuleIr& edge, const Word& name, Reporter& reporter,
+             const MovingWords& words) {
+    const auto refuse = [&](FaultCode code, const std::string& why, std::string_view remedy) {
+        reporter.error(code, name.span(), fmt::format("'{}' {}", name.text, why),
+                       std::string(remedy));
+    };
+    if (edge.device >= 0)
+        refuse(words.of_part, "is a part of a pinball table", words.instead_of_part);
+    else if (edge.side != Side::both)
+        refuse(words.of_one_way, fmt::format("has a side, and so cannot {}", words.verb),
+               "leave side= out");
+    else if (edge.is_moved)
+        refuse(words.twice, "is moved already", words.once);
+    else
+        return true;
+    return false;
+}
+
 }  // namespace
 
 void MotionAssembly::check_names() {
@@ -85,30 +114,19 @@ void MotionAssembly::check_times(const MotionIr& motion, double rate) {
                                 "write the time since the round began");
 }
 
-bool MotionAssembly::can_move(const CapsuleIr& edge, const Word& name) {
-    if (edge.device >= 0)
-        context_.reporter.error("motion-of-part", name.span(),
-                                fmt::format("'{}' is a part of a pinball table", name.text),
-                                "move edges, arcs, pegs and boxes");
-    else if (edge.side != Side::both)
-        context_.reporter.error("motion-of-one-way", name.span(),
-                                fmt::format("'{}' has a side, and so cannot move", name.text),
-                                "leave side= out");
-    else if (edge.is_moved)
-        context_.reporter.error("motion-twice", name.span(),
-                                fmt::format("'{}' is moved already", name.text),
-                                "name each edge in one motion");
-    else
-        return true;
-    return false;
-}
-
 void MotionAssembly::place(std::uint32_t number, const Word& name) {
     const Mover& mover = ir_.motions[number].mover;
     for (std::uint32_t i = 0; i < ir_.capsules.size(); ++i) {
         CapsuleIr& edge = ir_.capsules[i];
         if (names_.edges[static_cast<std::size_t>(edge.binding)].name != name.text) continue;
-        if (!can_move(edge, name)) return;
+        if (!is_free(edge, name, context_.reporter,
+                     {.of_part = "motion-of-part",
+                      .of_one_way = "motion-of-one-way",
+                      .twice = "motion-twice",
+                      .verb = "move",
+                      .instead_of_part = "move edges, arcs, pegs and boxes",
+                      .once = "name each edge in one motion"}))
+            return;
         edge.is_moved = true;
         moved_.push_back({number, i, edge.shape});
         if (mover.clock < mover.period)
@@ -212,26 +230,20 @@ void SeesawAssembly::check_angles(const SeesawIr& made) {
 }
 
 bool SeesawAssembly::can_turn(const CapsuleIr& edge, std::size_t pieces, const Word& name) {
-    if (edge.device >= 0)
-        context_.reporter.error("seesaw-of-part", name.span(),
-                                fmt::format("'{}' is a part of a pinball table", name.text),
-                                "name an edge");
-    else if (pieces > 1)
+    if (edge.device < 0 && pieces > 1) {
         context_.reporter.error(
             "seesaw-of-pieces", name.span(),
             fmt::format("a seesaw is one straight edge, but '{}' has {} pieces", name.text, pieces),
             "name an edge with two ends");
-    else if (edge.side != Side::both)
-        context_.reporter.error("seesaw-of-one-way", name.span(),
-                                fmt::format("'{}' has a side, and so cannot turn", name.text),
-                                "leave side= out");
-    else if (edge.is_moved)
-        context_.reporter.error("seesaw-twice", name.span(),
-                                fmt::format("'{}' is moved already", name.text),
-                                "name each edge in one motion or seesaw");
-    else
-        return true;
-    return false;
+        return false;
+    }
+    return is_free(edge, name, context_.reporter,
+                   {.of_part = "seesaw-of-part",
+                    .of_one_way = "seesaw-of-one-way",
+                    .twice = "seesaw-twice",
+                    .verb = "turn",
+                    .instead_of_part = "name an edge",
+                    .once = "name each edge in one motion or seesaw"});
 }
 
 void SeesawAssembly::place(SeesawIr& made) {

@@ -32,7 +32,6 @@ class MotionAssembly {
     void amend_clocks();
     void check_times(const MotionIr& motion, double rate);
     void place(std::uint32_t number, const Word& name);
-    bool can_move(const CapsuleIr& edge, const Word& name);
 
     const ResolvedNames& names_;
     Context& context_;

@@ -37,8 +37,9 @@ struct AxisEnds {
     std::string from;  ///< of the horizontal axis
     std::string to;
 };
-/// Writes the labels of a graph whose title is in the first row of `area`: those of the vertical
-/// axis to the left of it, the others below, `to` where there is room. Returns what is left.
+/// Writes the labels of a graph. The first row of `area` has its title. The labels of the vertical
+/// axis go to its left, those of the horizontal axis below it; `to` is left out where it does not
+/// fit. Returns the area of the graph itself.
 CellArea draw_axes(Canvas& canvas, const CellArea& area, const AxisEnds& ends, const Look& look);
 
 /// Breaks text at blanks so that no line is longer than `columns`; a longer word is cut.
