@@ -1,6 +1,9 @@
 #include "lab/support/fuzzed_scene.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
 
 #include "bits/level_writer.h"
 #include "bits/recording_writer.h"
@@ -17,15 +20,19 @@ FuzzedScene fuzzed_scene(std::uint64_t number) {
     const bool is_played = random.chance(0.5);
     bits::Level level = bits::write_level(random);
     level.radius = std::min(level.width, level.height) / 20.0;
-    FuzzedScene made;
     std::string commands;
-    made.text = level.text;
-    made.ticks = static_cast<std::uint64_t>(level.ticks);
     if (is_played)
         for (const bits::TimedLine& line : bits::write_commands(random, level))
             // Another solver promises something else.
             if (!line.command.starts_with("solver "))
                 commands += "at " + std::to_string(line.tick) + ' ' + line.command + '\n';
+    return scene_of(level.text, commands, static_cast<std::uint64_t>(level.ticks));
+}
+
+FuzzedScene scene_of(std::string level, const std::string& commands, std::uint64_t ticks) {
+    FuzzedScene made;
+    made.text = std::move(level);
+    made.ticks = ticks;
     made.scene = load_level(made.text, "fuzzed.level").scene;
     auto read = read_script(commands);
     if (auto* script = std::get_if<CommandScript>(&read)) made.script = std::move(script->commands);

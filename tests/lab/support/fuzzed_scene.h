@@ -20,8 +20,12 @@ struct FuzzedScene {
     std::vector<TimedCommand> script;  ///< what a player does; the game may refuse some of it
 };
 
-/// The scene of this number. Equal numbers make equal scenes.
+/// The scene of this number. Equal numbers make equal scenes with one compiler; another compiler
+/// may draw the random numbers of a line in another order.
 FuzzedScene fuzzed_scene(std::uint64_t number);
+
+/// A level and a script of commands, as a scene to be run for `ticks`.
+FuzzedScene scene_of(std::string level, const std::string& commands, std::uint64_t ticks);
 
 /// What one run under one solver came to.
 struct CheckedRun {
