@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,22 @@ struct Point {
 /// Numbers in the syntax of levels and recordings; they read back to the same bits.
 std::string text_of(double value);
 std::string text_of(Point p);
+
+/// A line of a level or a recording, written word by word. Operands of << are evaluated from left
+/// to right, so the random numbers in them are drawn in one order with every compiler. Those of +
+/// are not.
+class Line {
+  public:
+    Line& operator<<(std::string_view words) { return text_ += words, *this; }
+    Line& operator<<(char letter) { return text_ += letter, *this; }
+    Line& operator<<(std::floating_point auto value) { return text_ += text_of(value), *this; }
+    Line& operator<<(std::integral auto value) { return text_ += std::to_string(value), *this; }
+    Line& operator<<(Point p) { return text_ += text_of(p), *this; }
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
 
 struct Draft {
     struct Disc {
@@ -38,6 +55,7 @@ struct Draft {
     std::vector<Edge> edges;  ///< edges, or discs that contain them
 
     void line(std::string_view text) { level.text.append(text) += '\n'; }
+    void line(const Line& words) { line(words.text()); }
     /// Records where an edge is, so that no ball starts there.
     void add_edge(Point a, Point b, double r);
     /// A point of the scene, from its lower left corner.

@@ -3,7 +3,6 @@
 #include "bits/level_draft.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <vector>
 
@@ -61,7 +60,7 @@ class LevelWriter : Draft {
         }
         if (!level.has_cloth) {
             if (random.chance(0.15))
-                line("use drag " + text_of(random.decades(-1.0, 1.0) / level.time));
+                line(Line() << "use drag " << random.decades(-1.0, 1.0) / level.time);
             if (random.chance(0.35)) line("use spin" + inertia());
         }
         if (random.chance(0.12)) line("use stop " + text_of(speed * random.decades(-2.0, -0.3)));
@@ -70,10 +69,10 @@ class LevelWriter : Draft {
         if (random.chance(0.12)) overlap_ = true, line("use overlap");
         if (level.has_cloth) {
             const double most = speed * speed / length;
-            line("use cloth slide=" + text_of(random.decades(-2.5, 0.0)) +
-                 " roll=" + text_of(random.decades(-3.5, -1.5)) +
-                 " spin=" + text_of(random.decades(-1.0, 2.0) * speed / length / level.time) +
-                 " g=" + text_of(most * random.decades(-1.0, 0.5)));
+            line(Line() << "use cloth slide=" << random.decades(-2.5, 0.0)
+                        << " roll=" << random.decades(-3.5, -1.5)
+                        << " spin=" << random.decades(-1.0, 2.0) * speed / length / level.time
+                        << " g=" << most * random.decades(-1.0, 0.5));
         }
         if (!has_gravity_ && random.chance(0.25))
             line("use modulus " +
@@ -115,8 +114,7 @@ class LevelWriter : Draft {
             constexpr std::string_view kinds[] = {"ka", "kb", "kc", "ball"};
             constexpr std::string_view all[] = {"ka", "kb", "kc", "ball", "ma", "mb", "edge"};
             for (int i = random.integer(1, 4); i > 0; --i)
-                line("collide " + std::string(random.one_of(kinds)) + ' ' +
-                     std::string(random.one_of(all)));
+                line(Line() << "collide " << random.one_of(kinds) << ' ' << random.one_of(all));
             if (random.chance(0.8)) line("collide ball edge");
         }
     }
@@ -138,17 +136,17 @@ class LevelWriter : Draft {
             return line("solver contact" + (random.chance(0.6) ? substeps : ""));
         if (which < 80) return line("solver swept" + (random.chance(0.6) ? substeps : ""));
         if (which < 90)
-            return line("solver substep updates=" + std::to_string(random.integer(1, 4)) +
-                        " steps=" + std::to_string(random.integer(1, 8)));
+            return line(Line() << "solver substep updates=" << random.integer(1, 4)
+                               << " steps=" << random.integer(1, 8));
         if (which < 97) line("solver discrete");
     }
 
     void walls() {
         thickness_ = random.chance(0.3) ? 0.0 : length * random.between(0.0, 0.8);
         if (is_open_ || random.chance(0.1)) return;
-        line("box " + material() + text_of(at(0, 0)) + ' ' +
-             text_of(at(level.width, level.height)) + " r=" + text_of(thickness_) +
-             (random.chance(0.1) ? " fillet=" + text_of(length * 2.0) : ""));
+        line(Line() << "box " << material() << at(0, 0) << ' ' << at(level.width, level.height)
+                    << " r=" << thickness_
+                    << (random.chance(0.1) ? " fillet=" + text_of(length * 2.0) : ""));
         const Point corners[] = {at(0, 0), at(level.width, 0), at(level.width, level.height),
                                  at(0, level.height)};
         for (int i = 0; i < 4; ++i)
@@ -162,18 +160,17 @@ class LevelWriter : Draft {
             const double r = random.chance(0.4) ? 0.0 : length * random.decades(-3.0, 0.0);
             const int shape = random.integer(0, 9);
             if (shape == 0) {
-                line("peg " + material() + "at=" + text_of(a) + " r=" + text_of(r + length * 0.1));
+                line(Line() << "peg " << material() << "at=" << a << " r=" << r + length * 0.1);
                 add_edge(a, a, r + length * 0.1);
             } else if (shape == 1) {
-                const double turn = random.between(0.0, 360.0),
-                             reach = length * random.between(1.0, 4.0);
-                line("arc " + material() + "at=" + text_of(a) + " radius=" + text_of(reach) +
-                     " from=" + text_of(turn) +
-                     " to=" + text_of(turn + random.between(30.0, 300.0)) + " r=" + text_of(r));
+                const double turn = random.between(0.0, 360.0);
+                const double reach = length * random.between(1.0, 4.0);
+                line(Line() << "arc " << material() << "at=" << a << " radius=" << reach << " from="
+                            << turn << " to=" << turn + random.between(30.0, 300.0) << " r=" << r);
                 add_edge(a, a, reach + r);
             } else {
-                line("edge " + material() + text_of(a) + ' ' + text_of(b) + " r=" + text_of(r) +
-                     std::string(random.one_of(sides)));
+                line(Line() << "edge " << material() << a << ' ' << b << " r=" << r
+                            << random.one_of(sides));
                 add_edge(a, b, r);
             }
         }
@@ -225,11 +222,11 @@ class LevelWriter : Draft {
                 level.balls += 9;
         if (random.chance(is_pile_ ? 0.5 : 0.15)) {
             const int count = random.integer(2, is_pile_ ? 60 : 20);
-            line("fill ka count=" + std::to_string(count) +
-                 " box=" + text_of(at(level.width * 0.1, level.height * 0.1)) + ',' +
-                 text_of(at(level.width * 0.9, level.height * 0.9)) +
-                 " r=" + text_of(length * 0.3) + ".." + text_of(length * 0.6) +
-                 (random.chance(0.6) ? " speed=" + text_of(speed) : ""));
+            line(Line() << "fill ka count=" << count
+                        << " box=" << at(level.width * 0.1, level.height * 0.1) << ','
+                        << at(level.width * 0.9, level.height * 0.9) << " r=" << length * 0.3
+                        << ".." << length * 0.6
+                        << (random.chance(0.6) ? " speed=" + text_of(speed) : ""));
             level.balls += count;
         }
         if (const Point p = place(); random.chance(0.2) && fits(p, length)) {

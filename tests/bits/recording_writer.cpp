@@ -32,23 +32,25 @@ class CommandWriter {
             case 4:
                 return hold("edge " + edge(), tick, 2);
             case 5:
-                return add(tick, "strike " + ball() + ' ' + velocity() + english());
+                return add(tick, Line() << "strike " << ball() << ' ' << velocity() << english());
             case 6:
                 return add(tick, "gravity " + (random_.chance(0.3) ? "off" : pull()));
             case 7:
                 return add(tick, "solver " + write_solver(random_, level_.has_cloth));
             case 8:
-                return add(tick, "place-edge " + edge() + ' ' + place() + ' ' + place());
+                return add(tick,
+                           Line() << "place-edge " << edge() << ' ' << place() << ' ' << place());
             case 9:
                 return add(tick,
                            "remove-" + (random_.chance(0.5) ? "ball " + ball() : "edge " + edge()));
             case 10:
-                return add(tick, "add-ball 0 " + place() + ' ' + velocity() +
-                                     " r=" + text_of(r * random_.decades(-0.5, 0.2)));
+                return add(tick, Line() << "add-ball 0 " << place() << ' ' << velocity()
+                                        << " r=" << r * random_.decades(-0.5, 0.2));
             default:
-                if (random_.chance(0.5)) return add(tick, "place-ball " + ball() + ' ' + place());
-                return add(tick, "add-edge 0 " + place() + ' ' + place() + ' ' +
-                                     text_of(r * random_.decades(-2.0, 0.0)) + " both");
+                if (random_.chance(0.5))
+                    return add(tick, Line() << "place-ball " << ball() << ' ' << place());
+                return add(tick, Line() << "add-edge 0 " << place() << ' ' << place() << ' '
+                                        << r * random_.decades(-2.0, 0.0) << " both");
         }
     }
 
@@ -88,25 +90,27 @@ class CommandWriter {
 
     std::string english() {
         if (!random_.chance(0.4)) return {};
-        return " side=" + text_of(random_.between(-0.4, 0.4)) +
-               " follow=" + text_of(random_.between(-0.4, 0.4));
+        return (Line() << " side=" << random_.between(-0.4, 0.4)
+                       << " follow=" << random_.between(-0.4, 0.4))
+            .text();
     }
     std::string ball() { return std::to_string(random_.integer(0, std::max(0, level_.balls - 1))); }
     std::string edge() { return std::to_string(random_.integer(0, std::max(0, level_.edges - 1))); }
-    std::string place() {
-        return text_of(random_.between(0.1, 0.9) * level_.width) + ',' +
-               text_of(random_.between(0.1, 0.9) * level_.height);
+    Point place() {
+        const double x = random_.between(0.1, 0.9) * level_.width;
+        return {x, random_.between(0.1, 0.9) * level_.height};
     }
-    std::string velocity() {
+    Point velocity() {
         const double speed = level_.radius * random_.decades(0.5, 2.0) / level_.time;
-        return text_of(speed * random_.between(-1.0, 1.0)) + ',' +
-               text_of(speed * random_.between(-1.0, 1.0));
+        const double x = speed * random_.between(-1.0, 1.0);
+        return {x, speed * random_.between(-1.0, 1.0)};
     }
     std::string pull() {
         const double g = level_.radius * random_.decades(0.0, 2.3) / (level_.time * level_.time);
-        return text_of(g * random_.between(-1.0, 1.0)) + ',' + text_of(-g);
+        return text_of(Point{g * random_.between(-1.0, 1.0), -g});
     }
     void add(int tick, std::string command) { lines_.push_back({tick, std::move(command)}); }
+    void add(int tick, const Line& command) { add(tick, command.text()); }
 
     Random& random_;
     const Level& level_;
@@ -143,9 +147,9 @@ std::string write_solver(Random& random, bool has_cloth) {
                                    "swept", "substep", "discrete"};
     std::string name = random.one_of(all);
     if (has_cloth && name == "contact") name = "event";
-    return name + " updates=" + std::to_string(random.integer(1, 4)) +
-           " steps=" + std::to_string(random.integer(1, 8)) +
-           " substeps=" + std::to_string(random.integer(1, 4));
+    return (Line() << name << " updates=" << random.integer(1, 4)
+                   << " steps=" << random.integer(1, 8) << " substeps=" << random.integer(1, 4))
+        .text();
 }
 
 std::string write_recording(const Level& level, const std::string& solver,

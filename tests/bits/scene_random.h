@@ -1,10 +1,13 @@
 #pragma once
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <span>
 
-/// The random numbers of fuzzed scenes: SplitMix64, equal on every machine for a given seed.
+#include "geometry/elementary.h"
+
+/// The random numbers of fuzzed scenes: SplitMix64, equal on every machine for a given seed. A
+/// caller draws at most one number in an operand of + or in an argument: compilers evaluate these
+/// in different orders (see Line in level_draft.h).
 namespace carom::bits {
 
 class Random {
@@ -23,7 +26,10 @@ class Random {
         return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
     }
     /// Log-uniform: ten to the power of a uniform number between `low` and `high`.
-    double decades(double low, double high) { return std::pow(10.0, between(low, high)); }
+    double decades(double low, double high) {
+        constexpr double log_of_10 = 2.302585092994045684;
+        return exponential(log_of_10 * between(low, high));
+    }
     /// One of low, low + 1, ..., high.
     int integer(int low, int high) {
         return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));

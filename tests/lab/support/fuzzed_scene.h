@@ -20,8 +20,7 @@ struct FuzzedScene {
     std::vector<TimedCommand> script;  ///< what a player does; the game may refuse some of it
 };
 
-/// The scene of this number. Equal numbers make equal scenes with one compiler; another compiler
-/// may draw the random numbers of a line in another order.
+/// The scene of this number, the same with every compiler and on every machine.
 FuzzedScene fuzzed_scene(std::uint64_t number);
 
 /// A level and a script of commands, as a scene to be run for `ticks`.
