@@ -53,7 +53,7 @@ class Words {
     }
     /// The number of `key=number`, if that comes next.
     std::optional<double> optional_real(std::string_view key) {
-        if (!rest_.starts_with(key)) return std::nullopt;
+        if (failed_ || !rest_.starts_with(key)) return std::nullopt;
         return real_of(next()->substr(key.size()));
     }
 

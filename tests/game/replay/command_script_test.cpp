@@ -45,6 +45,9 @@ TEST_CASE("errors in a script are reported with their line") {
         {"at 3 drop-ball", 1, "'drop-ball' is not complete or not right"},
         {"at 3 drop-ball 1 2", 1, "'drop-ball' is not complete or not right"},
         {"at 3 hold-ball 1 nan,0", 1, "'hold-ball' is not complete or not right"},
+        // A word that is wrong comes before one with a key.
+        {"at 3 strike 132-3,4 1,2 side=1", 1, "'strike' is not complete or not right"},
+        {"at 3 strike 1 2 side=1", 1, "'strike' is not complete or not right"},
         {"at 3 solver swept updates=0", 1, "'solver' is not complete or not right"},
         {"at 3 drop-ball 1\nat 2 drop-ball 1", 2, "the ticks go back"},
     };
