@@ -144,6 +144,7 @@ constexpr Action rows[] = {
     {"gravity", "g", "gravity on, off", playing, toggle_gravity},
     {"turn-gravity", "G", "turn gravity", playing, turn_gravity},
     {"save", "w", "save as a level", anywhere, ask<PlayRequest::save>},
+    {"keep-recording", "W", "keep a recording of the game", playing, ask<PlayRequest::record>},
 
     {"renderer", "v", "next renderer", anywhere, next_renderer},
     {"colors", "c", "colour by kind, speed, mass, ball", anywhere, next_colors},

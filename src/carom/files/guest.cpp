@@ -78,17 +78,18 @@ std::variant<FileLock, std::string> become_guest(const GuestOptions& guest) {
     return session;
 }
 
-std::optional<std::string> remove_oldest_levels(std::size_t most) {
+std::optional<std::string> remove_oldest(const std::string& folder, std::string_view extension,
+                                         std::size_t most) {
     namespace fs = std::filesystem;
     std::vector<std::pair<fs::file_time_type, std::string>> saved;
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(".", error))
-        if (entry.path().extension() == ".level")
+    for (const auto& entry : fs::directory_iterator(folder, error))
+        if (entry.path().extension() == extension)
             saved.emplace_back(entry.last_write_time(error), entry.path().filename().string());
     std::ranges::sort(saved);
     std::optional<std::string> removed;
     for (std::size_t i = 0; i + most < saved.size(); ++i) {
-        ::unlink(saved[i].second.c_str());
+        ::unlink((folder + "/" + saved[i].second).c_str());
         removed = saved[i].second;
     }
     return removed;

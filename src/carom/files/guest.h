@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "carom/files/files.h"
@@ -22,8 +23,9 @@ namespace carom {
 /// the folder cannot be made, or the guest plays in too many sessions already.
 std::variant<FileLock, std::string> become_guest(const GuestOptions& guest);
 
-/// Removes the oldest levels of the working folder until `most` are left. Returns the name of the
-/// last one that was removed, if any.
-std::optional<std::string> remove_oldest_levels(std::size_t most);
+/// Removes the oldest files of the folder with this extension, such as ".level", until `most` are
+/// left. Returns the name of the last one that was removed, if any.
+std::optional<std::string> remove_oldest(const std::string& folder, std::string_view extension,
+                                         std::size_t most);
 
 }  // namespace carom

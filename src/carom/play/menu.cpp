@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <utility>
 
 #include "carom/controllers/pinball_display.h"
 #include "carom/files/high_scores.h"
-#include "carom/files/menu_list.h"
-#include "carom/files/pool_record.h"
+#include "carom/play/recording.h"
 #include "carom/text/level_words.h"
-#include "game/ai/opponents.h"
 #include "game/rules/goal.h"
 #include "terminal/panels/pages.h"
 
@@ -25,13 +22,12 @@ constexpr double load_delay = 0.12;
 /// High scores that are shown.
 constexpr std::size_t most_notes = 3;
 
-/// The group of the levels in the current folder. It is there even while it is empty.
-constexpr std::string_view own_group = "Yours";
 /// Columns; narrower windows have a shorter last line.
 constexpr int least_long_footer = 54;
 
 constexpr std::array<std::string_view, 2> empty_group = {
-    "No level in this folder yet.", "Press w in play to save one, or write one."};
+    "No level in this folder, and no recording, yet.",
+    "In play, w saves a level and W keeps a recording."};
 constexpr std::array<std::string_view, 2> nothing_matches = {"Nothing matches.", ""};
 
 std::string lower_case(std::string_view text) {
@@ -46,11 +42,6 @@ bool matches(const MenuItem& item, const std::string& search) {
            std::string::npos;
 }
 
-std::string time_text(double seconds) {
-    const auto whole = static_cast<long>(seconds);
-    return fmt::format("{}:{:02}", whole / 60, whole % 60);
-}
-
 std::vector<std::string> score_notes(const std::string& path, std::size_t most) {
     const HighScoresText kept = load_high_scores(high_scores_name(path), most);
     if (kept.problem) return {*kept.problem};
@@ -62,82 +53,12 @@ std::vector<std::string> score_notes(const std::string& path, std::size_t most) 
     return notes;
 }
 
-/// The best score of a table, or the stars of a goal; empty: there is none.
-std::string best_score(const std::string& path) {
-    const int stars = std::min(load_stars(path), most_stars);
-    if (stars > 0)
-        return std::string(static_cast<std::size_t>(stars), '*') +
-               std::string(static_cast<std::size_t>(most_stars - stars), '.');
-    const HighScoresText kept = load_high_scores(high_scores_name(path), 1);
-    return kept.scores.lines.empty() ? "" : grouped(kept.scores.lines.front().score);
-}
-
-void add_unfinished(std::vector<MenuItem>& items, std::span<const InterruptedGame> interrupted,
-                    std::span<const LevelEntry> levels) {
-    for (const InterruptedGame& game : interrupted) {
-        const std::string name = std::filesystem::path(game.replay.level).stem().string();
-        const auto level = std::ranges::find(levels, name, &LevelEntry::name);
-        const double seconds = static_cast<double>(game.replay.position) / game.replay.rate;
-        std::string title = level == levels.end() || level->title.empty() ? name : level->title;
-        if (is_of_ladder(game.replay.opponent))
-            title = fmt::format("{}: {}", ai_player(game.replay.opponent).name, title);
-        items.push_back({name, std::move(title), "Unfinished", game.replay.level, "",
-                         "resume at " + time_text(seconds), game});
-    }
-}
-
-void add_challenges(std::vector<MenuItem>& items, std::span<const LevelEntry> levels) {
-    for (Challenge& challenge : challenges(levels, load_pool_record().record, today()))
-        items.push_back({challenge.name, challenge.title, std::string(challenge_group),
-                         challenge.level, challenge.line, challenge.badge, std::nullopt,
-                         std::move(challenge)});
-}
-
-// The first group, then the challenges, then the others.
-void add_shipped(std::vector<MenuItem>& items, const std::string& folder,
-                 std::span<const LevelEntry> levels) {
-    const auto add = [&](const LevelEntry& level, std::string group, std::string line) {
-        items.push_back({level.name, level.title.empty() ? level.name : level.title,
-                         std::move(group), level.path, std::move(line), best_score(level.path)});
-    };
-    const std::vector<ListedLevel> list = menu_list_in(folder);
-    bool has_challenges = false;
-    const auto add_once = [&] {
-        if (!std::exchange(has_challenges, true)) add_challenges(items, levels);
-    };
-    for (const ListedLevel& listed : list) {
-        if (listed.group != list.front().group) add_once();
-        const auto level = std::ranges::find(levels, listed.name, &LevelEntry::name);
-        if (level != levels.end()) add(*level, listed.group, listed.line);
-    }
-    add_once();
-    for (const LevelEntry& level : levels)
-        if (level.name != daily_level && !std::ranges::count(list, level.name, &ListedLevel::name))
-            add(level, "More", "");
-}
-
 // Under which it is known what was loaded for an item.
 std::string key_of(const MenuItem& item) {
     return item.challenge ? item.challenge->name : item.path;
 }
 
 }  // namespace
-
-std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted) {
-    namespace fs = std::filesystem;
-    std::vector<MenuItem> items;
-    const auto folder = shipped_levels_folder();
-    const std::vector<LevelEntry> shipped = folder ? levels_in(*folder) : std::vector<LevelEntry>{};
-    add_unfinished(items, interrupted, shipped);
-    if (folder) add_shipped(items, *folder, shipped);
-    std::error_code error;
-    if (folder && fs::equivalent(".", *folder, error)) return items;
-    for (const LevelEntry& level : levels_in("."))
-        items.push_back({level.name, level.title.empty() ? level.name : level.title,
-                         std::string(own_group), level.path, level.name + ".level",
-                         best_score(level.path)});
-    return items;
-}
 
 Menu::Menu(std::vector<MenuItem> items, Load load, std::string_view choose)
     : items_(std::move(items)), load_(std::move(load)) {
@@ -209,6 +130,7 @@ void Menu::look_at_selected() {
     pictured_ = key_of(item);
     picture_.reset();
     needs_draw_ = true;
+    if (item.is_recording) return look_at_recording(item);
     LoadedLevel loaded = load_(item);
     LoadedEntry& known = loaded_[pictured_];
     known.is_broken = !loaded.result.scene;
@@ -224,6 +146,22 @@ void Menu::look_at_selected() {
     const SolverSettings solver = scene.solver.value_or(pick_solver(scene.world).settings);
     picture_.emplace(Session(std::move(scene), solver, 0), ViewOptions{}, KeyMap());
     picture_->demonstrate();
+}
+
+// The picture plays the recording.
+void Menu::look_at_recording(const MenuItem& item) {
+    LoadedEntry& known = loaded_[pictured_];
+    auto opened = open_replay(item.path);
+    auto* const read = std::get_if<OpenedReplay>(&opened);
+    known.is_broken = !read;
+    if (!read) {
+        known.notes = {"This recording has errors. Press enter to see them."};
+        return;
+    }
+    Session session(std::move(read->scene), read->replay.solver, 0);
+    session.follow(std::move(read->replay.commands), read->replay.end,
+                   read->replay.fingerprint_version);
+    picture_.emplace(std::move(session), ViewOptions{}, KeyMap());
 }
 
 void Menu::advance(double seconds, const MayGoOn& may_go_on) {

@@ -18,7 +18,7 @@
 #include "terminal/panels/menu.h"
 
 /// The menu: unfinished games first, then the groups of the levels that ship (files/menu_list.h),
-/// and the levels of the current folder; with a small moving picture of the selected level.
+/// and one's own levels and recordings; with a small moving picture of what is selected.
 namespace carom {
 
 /// An entry that can be chosen.
@@ -31,10 +31,14 @@ struct MenuItem {
     std::string badge{};                           ///< at the right of the title
     std::optional<InterruptedGame> interrupted{};  ///< the unfinished game to resume, if it is one
     std::optional<Challenge> challenge{};          ///< if it is one
+    bool is_recording = false;                     ///< `path` is one, to be watched
 };
 
-/// Items for unfinished games, the levels that ship, and the levels of the current folder; the
-/// items of a group stand together.
+/// The group of one's own levels and recordings. It is there even while it is empty.
+inline constexpr std::string_view own_group = "Yours";
+
+/// Items for unfinished games, the levels that ship, the levels of the current folder, and the
+/// recordings that were kept; the items of a group stand together.
 std::vector<MenuItem> menu_items(std::span<const InterruptedGame> interrupted);
 
 class Menu {
@@ -72,6 +76,7 @@ class Menu {
     void open_group_beside(int step);
     void search(std::string text);
     void look_at_selected();
+    void look_at_recording(const MenuItem& item);
     Choice handle_key(const InputEvent& event);
     Choice handle_mouse(const InputEvent& event);
     MenuPage page() const;

@@ -88,7 +88,7 @@ void Program::set_capabilities(const Capabilities& capabilities) {
 }
 
 std::optional<Problems> Program::start() {
-    if (!options_.replay.empty()) return open_recording();
+    if (!options_.replay.empty()) return open_recording(options_.replay);
     if (!options_.record.empty()) {
         recording_.emplace(options_.record);
         if (const auto obstacle = recording_->obstacle())
@@ -162,8 +162,8 @@ std::optional<Problems> Program::open(const LevelSource& source) {
     return std::nullopt;
 }
 
-std::optional<Problems> Program::open_recording() {
-    auto opened = open_replay(options_.replay);
+std::optional<Problems> Program::open_recording(const std::string& path) {
+    auto opened = open_replay(path);
     if (const auto* error = std::get_if<std::string>(&opened)) return lines_of(*error);
     auto& [replay, scene] = std::get<OpenedReplay>(opened);
     Session session(std::move(scene), replay.solver, options_.rewind_bytes);
@@ -258,7 +258,7 @@ void Program::finish_resuming() {
 /// one.
 bool Program::end_game() {
     auto* game = std::get_if<RunningGame>(&page_);
-    if (game && recording_) {
+    if (game && recording_ && !game->player.is_watching()) {
         const Recording recording = *std::exchange(recording_, std::nullopt);
         lost_recording_ =
             recording.write(game->player.session(), game->source.path, game->source.overrides);
@@ -287,7 +287,7 @@ void Program::interrupt() {
     keep_key_repeat(*game);
     game->keep_pool_record(true);
     game->autosave();
-    if (recording_)
+    if (recording_ && !game->player.is_watching())
         lost_recording_ =
             recording_->write(game->player.session(), game->source.path, game->source.overrides);
 }

@@ -93,8 +93,9 @@ class Program {
     void show_menu(std::string_view choose);
     /// Opens a level. None: it is on the screen; else the problems.
     std::optional<Problems> open(const LevelSource& source);
-    std::optional<Problems> open_recording();
+    std::optional<Problems> open_recording(const std::string& path);
     void open_or_tell(const LevelSource& source);
+    void watch_or_tell(const std::string& recording);
     void open_challenge(const Challenge& challenge);
     void resume(const InterruptedGame& game);
     void finish_resuming();

@@ -83,6 +83,9 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
         case PlayRequest::save:
             game.ask_for_name();
             break;
+        case PlayRequest::record:
+            game.ask_for_recording_name();
+            break;
         case PlayRequest::toggle_mouse:
             mouse_ = !mouse_;
             game.player.terminal().mouse_is_off = !mouse_;
@@ -108,6 +111,8 @@ void Program::handle_menu(Menu& menu, const InputEvent& event) {
             resume(*item->interrupted);
         else if (item->challenge)
             open_challenge(Challenge(*item->challenge));
+        else if (item->is_recording)
+            watch_or_tell(std::string(item->path));
         else
             open_or_tell(carom::source_of(options_, item->path));
     }

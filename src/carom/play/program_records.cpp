@@ -1,4 +1,4 @@
-// What the program keeps from one game to the next: settings.
+// What the program keeps from one game to the next: settings, and the recordings that are kept.
 
 #include <fmt/format.h>
 
@@ -26,6 +26,15 @@ void Program::keep_key_repeat(const RunningGame& game) {
         return;
     preferences_.key_repeat = now;
     keep_setting("key-repeat", text_of(*now));
+}
+
+void Program::watch_or_tell(const std::string& recording) {
+    if (auto problems = open_recording(recording)) {
+        tell("This recording cannot be played", std::move(*problems));
+        std::get<Notice>(page_).entry = recording;
+        return;
+    }
+    std::get<RunningGame>(page_).entry = recording;
 }
 
 }  // namespace carom

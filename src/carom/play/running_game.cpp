@@ -12,7 +12,9 @@
 #include "carom/files/high_scores.h"
 #include "carom/files/level_files.h"
 #include "carom/files/pool_record.h"
+#include "carom/files/user_folders.h"
 #include "carom/play/challenge.h"
+#include "carom/play/kept_recordings.h"
 #include "game/session/amend_level.h"
 #include "game/session/save_level.h"
 
@@ -90,26 +92,55 @@ void RunningGame::compare_marks() {
 void RunningGame::ask_for_name() {
     namespace fs = std::filesystem;
     if (!player.session().scene().table.is_empty())
-        return player.complain("A level has no place for scores and lamps. Record: --record.");
+        return player.complain("A level has no place for scores. Keep a recording instead.");
     const std::string stem = fs::path(source.path).stem().string();
     std::string name;
     std::error_code error;
     for (int n = 1; name.empty() || fs::exists(name + ".level", error); ++n)
         name = fmt::format("{}-{}", stem, n);
+    ask({SavePrompt::What::level, std::move(name)});
+}
+
+void RunningGame::ask_for_recording_name() {
+    if (!recordings_folder()) return player.complain("There is no folder: HOME is not set.");
+    if (!player.session().is_complete())
+        return player.complain("This game is too long: its start is forgotten.");
+    ask({SavePrompt::What::recording, free_recording_name(source.path)});
+}
+
+void RunningGame::ask(SavePrompt question) {
     was_paused = player.clock().is_paused();
     player.pause(true);
-    prompt.emplace(name);
+    prompt.emplace(std::move(question));
     player.set_prompt(prompt->text());
 }
 
 void RunningGame::answer(const InputEvent& event, std::size_t most) {
     const auto result = prompt->handle(event);
     if (std::holds_alternative<SavePrompt::Open>(result)) return player.set_prompt(prompt->text());
+    const bool is_level = prompt->what() == SavePrompt::What::level;
     prompt.reset();
     player.set_prompt({});
-    if (const auto* answered = std::get_if<SavePrompt::Answer>(&result))
-        save_level(*answered, most);
+    if (const auto* answered = std::get_if<SavePrompt::Answer>(&result)) {
+        if (is_level)
+            save_level(*answered, most);
+        else
+            keep_recording(answered->name, most);
+    }
     player.pause(was_paused);
+}
+
+void RunningGame::keep_recording(const std::string& name, std::size_t most) {
+    const std::string folder = recordings_folder().value_or(".");
+    const std::string path = recording_path(name);
+    std::error_code error;
+    if (std::filesystem::exists(path, error))
+        return player.complain("There is a recording " + name + ". Choose another name.");
+    if (const auto problem = make_folder(folder)) return player.complain(*problem);
+    if (const auto problem = Recording(path).write(player.session(), source.path, source.overrides))
+        return player.complain(*problem);
+    if (most != unlimited) remove_oldest(folder, ".replay", most);
+    player.say("Kept as " + name + ". Watch it from the menu, in the group Yours.");
 }
 
 void RunningGame::save_level(const SavePrompt::Answer& answer, std::size_t most) {
@@ -131,7 +162,7 @@ void RunningGame::save_level(const SavePrompt::Answer& answer, std::size_t most)
         return player.complain(*problem);
     std::string done = "Saved as " + path + ".";
     if (!amended.text) done = fmt::format("Saved flat as {}, since {}.", path, amended.obstacle);
-    const auto removed = most == unlimited ? std::nullopt : remove_oldest_levels(most);
+    const auto removed = most == unlimited ? std::nullopt : remove_oldest(".", ".level", most);
     if (removed) done += fmt::format(" {}, the oldest of {}, is gone.", *removed, most);
     player.say(done);
 }

@@ -48,19 +48,27 @@ struct RunningGame {
     void compare_marks();
     /// Asks for a name to save the level under; the game waits. Complains where it cannot be saved.
     void ask_for_name();
-    /// Answers the question. `most`: see save_level.
+    /// The same for a recording of the game so far.
+    void ask_for_recording_name();
+    /// Answers the question. `most`: see save_level and keep_recording.
     void answer(const InputEvent& event, std::size_t most = unlimited);
     /// Saves the level in the current folder as NAME.level: in its author's words, with what has
     /// changed (game/session/amend_level.h), or, where that does not read back to the same bits,
     /// flat as NAME-flat.level. An existing file stays. `most`: levels that may be kept there; the
     /// oldest give way.
     void save_level(const SavePrompt::Answer& answer, std::size_t most = unlimited);
+    /// Keeps the game, from its start to its latest tick, as a recording (kept_recordings.h). An
+    /// existing one stays. `most`: recordings that may be kept; the oldest give way.
+    void keep_recording(const std::string& name, std::size_t most = unlimited);
     /// Adds what has been played at pool since the last call to the player's record. `all`: also of
     /// a match that goes on.
     void keep_pool_record(bool all);
     /// Keeps the stars of the level's goal, if they are more than before in this game.
     void keep_stars();
     static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+
+  private:
+    void ask(SavePrompt question);
 };
 
 }  // namespace carom

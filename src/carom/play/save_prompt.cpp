@@ -26,7 +26,7 @@ std::variant<SavePrompt::Open, SavePrompt::Cancelled, SavePrompt::Answer> SavePr
             if (name_.empty()) return Open{};
             return Answer{name_, is_start_};
         case key::tab:
-            is_start_ = !is_start_;
+            if (what_ == What::level) is_start_ = !is_start_;
             return Open{};
         case key::backspace:
             is_proposed_ = false;
@@ -35,7 +35,7 @@ std::variant<SavePrompt::Open, SavePrompt::Cancelled, SavePrompt::Answer> SavePr
         default:
             break;
     }
-    // A held `w`, which opened the question, types nothing.
+    // A held key, which opened the question, types nothing.
     const bool repeats = event.action == InputEvent::Action::repeat;
     if (!is_of_name(event.key) || (event.modifiers & (control | alt)) || repeats) return Open{};
     if (std::exchange(is_proposed_, false)) name_.clear();
@@ -44,6 +44,8 @@ std::variant<SavePrompt::Open, SavePrompt::Cancelled, SavePrompt::Answer> SavePr
 }
 
 std::string SavePrompt::text() const {
+    if (what_ == What::recording)
+        return fmt::format("Keep the recording as: {}_  enter: keep  esc: cancel", name_);
     return fmt::format("Save as: {}_  ({})  enter: save  tab: {}  esc: cancel", name_,
                        is_start_ ? "its start" : "as it is now",
                        is_start_ ? "as it is now" : "its start");

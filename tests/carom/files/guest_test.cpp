@@ -135,9 +135,9 @@ TEST_CASE("the oldest of a guest's levels gives way to a new one") {
     }
     const auto before = std::filesystem::current_path();
     std::filesystem::current_path(folder.path());
-    CHECK(remove_oldest_levels(3) == std::nullopt);
-    CHECK(remove_oldest_levels(2) == "c.level");
-    CHECK(remove_oldest_levels(0) == "b.level");
+    CHECK(remove_oldest(".", ".level", 3) == std::nullopt);
+    CHECK(remove_oldest(".", ".level", 2) == "c.level");
+    CHECK(remove_oldest(".", ".level", 0) == "b.level");
     std::filesystem::current_path(before);
     CHECK(folder.names() == std::vector<std::string>{"other"});
 }

@@ -279,6 +279,58 @@ TEST_CASE("found 34: a level is saved under the name that is typed, in its autho
     CHECK_FALSE(fs::exists("test-1.level"));
 }
 
+TEST_CASE("a recording is kept from play, and watched from the menu") {
+    const Home home;
+    {
+        Running running(playing("test.level"));
+        REQUIRE_FALSE(running.program.start());
+        running.pass(0.5);
+        running.key(U'g');
+        running.pass(0.5);
+        running.key(U'W');
+        CHECK(running.sees("Keep the recording as: test-1_"));
+        running.key(key::tab);
+        CHECK(running.sees("Keep the recording as: test-1_"));
+        for (const char32_t c : U"xyzzy")
+            if (c != 0) running.key(c);
+        running.key(key::enter);
+        CHECK(running.sees("Kept as xyzzy."));
+        CHECK(fs::exists(home.path / "data/carom/recordings/xyzzy.replay"));
+        running.pass(0.5);
+        running.key(U'W');
+        for (const char32_t c : U"xyzzy")
+            if (c != 0) running.key(c);
+        running.key(key::enter);
+        CHECK(running.sees("There is a recording xyzzy."));
+        running.key(key::escape);
+    }
+    Running running({});
+    REQUIRE_FALSE(running.program.start());
+    for (const char32_t c : U"xyzzy")
+        if (c != 0) running.key(c);
+    CHECK(running.sees("watch 0:01"));
+    running.pass(0.5);
+    CHECK(running.sees("A recording of test"));
+    running.key(key::enter);
+    running.pass(0.25);
+    CHECK(running.sees("tick 30"));
+    running.key(U'W');  // not of a recording
+    CHECK_FALSE(running.sees("Keep the recording"));
+    running.pass(2.0);
+    CHECK(running.sees("tick 120"));
+    CHECK_FALSE(running.sees("not what was recorded"));
+    running.key(key::escape);
+    CHECK(running.sees("> xyzzy"));
+    std::ofstream(home.path / "data/carom/recordings/bad.replay") << "carom replay 3\nnonsense\n";
+    running.key(key::enter);
+    running.key(key::escape);
+    CHECK(running.sees("> xyzzy"));
+    CHECK(running.sees("bad"));
+    running.key(key::up);
+    running.key(key::enter);
+    CHECK(running.sees("This recording cannot be played"));
+}
+
 TEST_CASE("the start of a level is saved with the edges that the player has drawn") {
     const Home home;
     Running running(playing("test.level"));
