@@ -38,7 +38,7 @@ constexpr HelpLine lines[] = {
     {at_pool, "Game", "record", "", "your record"},
     {at_pool, "Mouse", "", "left", "aim; call a pocket"},
     {at_cue, "Mouse", "", "left", "aim; pick your ball"},
-    {at_table, "Mouse", "", "right drag", "pull the cue and shoot"},
+    {at_table, "Mouse", "", "drag the cue", "pull it and shoot"},
     {at_table, "Mouse", "", "wheel", "power"},
 
     {at_pinball, "Table", "left-flipper", "z or left", "left flipper"},

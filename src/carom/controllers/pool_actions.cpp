@@ -45,7 +45,7 @@ bool move_tip(PoolController& table, const PlayContext& play, int side, int foll
 }
 
 bool shoot(PoolController& table, PlayContext& play) {
-    if (table.shoot_with_key(play)) return true;
+    if (table.is_pulling(play) || table.shoot_with_key(play)) return true;
     const PoolPlay* const pool = pool_of(play.session);
     const ShotsState* const shots = shots_of(play.session);
     const bool is_over = pool ? pool->rules.phase == PoolPhase::over : shots && shots->is_over;

@@ -53,6 +53,8 @@ class PoolController : public FreeController {
     /// Whether the player could strike now, and no stroke is in progress.
     bool is_aiming(const PlayContext& play) const;
     bool aims_with_keys(const PlayContext& play) const;
+    /// Whether the mouse pulls the cue, so that only the mouse shoots.
+    bool is_pulling(const PlayContext& play) const { return pull_ && play.pointer.tool.has_cue(); }
     /// Shoots; in a match it starts the meter first. False: there is nothing to shoot now.
     bool shoot_with_key(PlayContext& play);
 
@@ -65,6 +67,13 @@ class PoolController : public FreeController {
     bool take_release(PlayContext& play) override;
 
   private:
+    /// The mouse pulls the cue.
+    struct Pull {
+        Vec2 shift;          ///< from the pointer to the hand
+        double slack = 0.0;  ///< see PoolAim::pull
+        ShotSetup before{};  ///< the aim, if no shot comes of it
+    };
+    std::optional<Pull> grip_of_cue(const PlayContext& play) const;
     bool takes_key(PlayContext& play, const InputEvent& event);
     void start_push(PlayContext& play);
     void shoot(PlayContext& play, const std::optional<Stroke>& stroke = std::nullopt);
@@ -76,6 +85,7 @@ class PoolController : public FreeController {
     CellArea panel_;              ///< of the scoreboard; empty: none
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
     PersonStroke stroke_;
+    std::optional<Pull> pull_{};
     double after_ = 0.0;  ///< InputEvent::after of the event that is being handled, s
     PoolPlayers players_;
     PoolCoach coach_;

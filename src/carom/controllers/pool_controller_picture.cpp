@@ -13,7 +13,12 @@ constexpr double last_seconds = 5.0;  // s of the shot clock that are announced 
 
 void PoolController::annotate(const PlayContext& play, Annotations& annotations) const {
     annotations.pool = aim_.annotations(play.session, is_striking(play));
-    if (!play.pointer.tool.has_cue()) Controller::annotate(play, annotations);
+    if (!play.pointer.tool.has_cue()) return Controller::annotate(play, annotations);
+    const MouseStroke* const push = stroke_.push();
+    if (!push || !annotations.pool || !annotations.pool->stick) return;
+    PoolAnnotations::Line& stick = *annotations.pool->stick;
+    const Vec2 back = (stick.to - stick.from) / length(stick.to - stick.from) * push->pull();
+    stick = {stick.from + back, stick.to + back};
 }
 
 // Where the rules show a part of the table, `0` switches to the whole of it and back.
@@ -45,6 +50,9 @@ void PoolController::draw_panel(const PlayContext& play, Canvas& canvas) const {
 std::string PoolController::line(const PlayContext& play) const {
     if (const StrokeMeter* const meter = stroke_.meter())
         return meter->text(play.keys.hint("grab"), play.view.options.look);
+    if (is_pulling(play) && stroke_.push())
+        return stroke_.push()->pull() > 0.0 ? "stroke  now push it forward: the ball gets its speed"
+                                            : "stroke  pull the mouse back from the ball";
     if (is_aiming(play)) return aim_.line(play.session, play.view.options.look);
     if (const ShotsState* const shots = shots_of(play.session))
         return shots->is_shooting ? "" : shots->message;
@@ -67,7 +75,12 @@ void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
 }
 
 void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const {
-    if (!play.pointer.tool.is_empty() || play.pointer.shows_cursor) return;
+    if (is_pulling(play)) {
+        hints.push_back(stroke_.push() ? KeyHelp{"push forward", "strike"}
+                                       : KeyHelp{"let go", "shoot"});
+        hints.push_back({play.keys.hint("menu"), "cancel"});
+        return;
+    }
     const auto hint = [&](std::string_view action_name, std::string_view what) {
         const std::string keys = play.keys.hint(action_name);
         if (!keys.empty()) hints.push_back({keys, std::string(what)});

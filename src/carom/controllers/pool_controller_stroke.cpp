@@ -60,7 +60,10 @@ void PoolController::point(PlayContext& play) {
     play.needs_draw = true;
     if (aims_by_mouse_) aim_.aim_at(play.session, play.pointer.at);
     if (!pulls) return;
-    if (!players_.is_match(play.session)) return aim_.pull(play.session, play.pointer.at);
+    if (!players_.is_match(play.session)) {
+        const Pull pull = pull_.value_or(Pull{});
+        return aim_.pull(play.session, play.pointer.at + pull.shift, pull.slack);
+    }
     if (!is_striking(play)) return;
     MouseStroke* const push = stroke_.push();
     const auto stroke =
@@ -81,6 +84,21 @@ void PoolController::start_push(PlayContext& play) {
     const double radius = world.balls().radius[*index_of(world, *aim_.cue_ball(session))];
     stroke_.start_push(
         MouseStroke(play.pointer.at, way, least_pull * radius, grain, stroke_.time(after_)));
+}
+
+// The left button takes the cue at the stick, of which the part at the tip is the hand's then. A
+// pull from there turns the cue little, so it keeps the aim.
+std::optional<PoolController::Pull> PoolController::grip_of_cue(const PlayContext& play) const {
+    const PoolAnnotations::Line stick = aim_.stick(play.session);
+    const double long_ = length(stick.to - stick.from);
+    const Vec2 back = (stick.to - stick.from) / long_;
+    const double along = dot(play.pointer.at - stick.from, back);
+    if (along < 0.0 || along > long_) return std::nullopt;
+    const Vec2 at = stick.from + back * along;
+    if (distance(at, play.pointer.at) > slack(play)) return std::nullopt;
+    const World& world = play.session.world();
+    const Vec2 ball = world.balls().position[*index_of(world, *aim_.cue_ball(play.session))];
+    return Pull{at - play.pointer.at, distance(at, ball), aim_.setup()};
 }
 
 bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
@@ -113,11 +131,18 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
         return has_game || !is_left;
     }
     pointer.pressed = event.button;
-    if (!is_left) {
+    pull_.reset();
+    if (!is_left || at_pointer == cue)
+        pull_ = Pull{{}, 0.0, aim_.setup()};
+    else if (aim_.call_pocket(play.session, pointer.at))
+        return true;
+    else
+        pull_ = grip_of_cue(play);
+    if (pull_) {
         pointer.cue_is_armed = false;
         pointer.tool.take_cue(*cue, pointer.at);
         if (players_.is_match(play.session)) start_push(play);
-    } else if (!aim_.call_pocket(play.session, pointer.at)) {
+    } else {
         aims_by_mouse_ = true;
         aim_.aim_at(play.session, pointer.at);
     }
@@ -126,6 +151,7 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
 
 bool PoolController::take_release(PlayContext& play) {
     if (std::exchange(aims_by_mouse_, false)) return true;
+    const auto pull = std::exchange(pull_, std::nullopt);
     if (!play.pointer.tool.has_cue()) return stroke_.push() != nullptr;
     play.pointer.tool.forget();
     if (players_.is_match(play.session)) {
@@ -137,8 +163,13 @@ bool PoolController::take_release(PlayContext& play) {
     const auto cue = aim_.cue_ball(play.session);
     const auto index = cue ? index_of(world, *cue) : std::nullopt;
     if (!index || !is_aiming(play)) return true;
-    const double pulled = distance(play.pointer.at, world.balls().position[*index]);
-    if (pulled > least_pull * world.balls().radius[*index]) shoot(play);
+    const Pull from = pull.value_or(Pull{{}, 0.0, aim_.setup()});
+    const Vec2 hand = play.pointer.at + from.shift;
+    const double pulled = distance(hand, world.balls().position[*index]) - from.slack;
+    if (pulled > least_pull * world.balls().radius[*index])
+        shoot(play);
+    else
+        aim_.set_up(play.session, from.before);
     return true;
 }
 

@@ -45,6 +45,7 @@ void add_first_hints(const PlayContext& play, Hints& hints) {
     const PointerTool& tool = play.pointer.tool;
     const bool is_paused = play.clock.is_paused();
     if (tool.has_cue()) {
+        if (!hints.lines.empty()) return;  // a pull at a pool table
         hints.add("grab", "shoot");
         hints.add("menu", "cancel");
     } else if (tool.has_new_edge()) {

@@ -23,6 +23,7 @@ class PersonStroke {
     const StrokeMeter* meter() const { return meter_ ? &*meter_ : nullptr; }
     void start_push(const MouseStroke& push) { push_ = push; }
     MouseStroke* push() { return push_ ? &*push_ : nullptr; }
+    const MouseStroke* push() const { return push_ ? &*push_ : nullptr; }
     void end() {
         meter_.reset();
         push_.reset();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "carom/pool/pool_status.h"
@@ -16,8 +17,10 @@
 namespace carom {
 namespace {
 
-/// Ball speed per length of pull, 1/s.
-constexpr double pull_gain = 5.0;
+// The speed is gentle at first, so that soft shots can be measured out, and full within the room
+// that a window of 80 columns leaves behind the cue ball.
+constexpr double pull_gain = 3.0;     // ball speed per length of pull, 1/s
+constexpr double pull_growth = 0.34;  // the gain's growth for each radius of pull, 1/s
 constexpr double least_speed = 0.1;
 constexpr double finest_turn = 0.05;  // degrees
 constexpr double break_speed = 8.0;
@@ -99,7 +102,24 @@ void PoolAim::begin_turn(const Session& session) {
     pot_text_.clear();
     has_aimed_ = false;
     chosen_.reset();
-    aim_at_nearest(session);
+    if (!aim_as_before(session)) aim_at_nearest(session);
+}
+
+// In an order of their own: a ball that returns to the table has a new id.
+std::vector<Vec2> PoolAim::places_of_balls(const Session& session) {
+    std::vector<Vec2> places = session.world().balls().position;
+    std::ranges::sort(places,
+                      [](Vec2 a, Vec2 b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
+    return places;
+}
+
+bool PoolAim::aim_as_before(const Session& session) {
+    if (!played_ || played_->places != places_of_balls(session)) return false;
+    const Aids aids = setup_.aids;
+    setup_ = played_->setup;
+    setup_.aids = aids;
+    has_aimed_ = true;
+    return true;
 }
 
 // Aims at the nearest ball that may legally be hit first.
@@ -161,15 +181,18 @@ void PoolAim::aim_at(const Session& session, Vec2 place) {
     has_aimed_ = true;
 }
 
-void PoolAim::pull(const Session& session, Vec2 hand) {
+void PoolAim::pull(const Session& session, Vec2 hand, double slack) {
     const auto cue = cue_ball(session);
     if (!cue) return;
     const Vec2 way = place_of(session.world(), *cue) - hand;
     if (!(length(way) > 0.0)) return;
     setup_.bearing = bearing_of(way);
     has_aimed_ = true;
-    setup_.speed =
-        std::clamp(length(way) * pull_gain, least_speed, cue_in_turn(session).most_power);
+    const World& world = session.world();
+    const double radius = world.balls().radius[*index_of(world, *cue)];
+    const double pulled = std::max(0.0, length(way) - slack);
+    setup_.speed = std::clamp(pulled * (pull_gain + pull_growth * pulled / radius), least_speed,
+                              cue_in_turn(session).most_power);
 }
 
 void PoolAim::set_match(bool is_match) {

@@ -45,8 +45,11 @@ class PoolAim {
     void change_speed(double by);               ///< length/s; clamped to the level's limits
     void move_tip(double side, double follow);  ///< in radii
     void aim_at(const Session& session, Vec2 place);
-    /// Pulls the cue back to `hand`: the ball goes the opposite way, faster for a longer pull.
-    void pull(const Session& session, Vec2 hand);
+    /// Pulls the cue back to `hand`: the ball goes the opposite way. Its speed grows with the pull,
+    /// the distance of hand and ball, of which `slack` does not count.
+    void pull(const Session& session, Vec2 hand, double slack = 0.0);
+    /// The cue as it is drawn, from its tip to its butt. Pre: may_aim().
+    PoolAnnotations::Line stick(const Session& session) const;
     /// Aims at the next ball that can be pocketed, the easiest first; in a match, full at the next
     /// ball that may be hit first. Returns a description.
     std::string next_pot(const Session& session, bool backwards);
@@ -70,7 +73,8 @@ class PoolAim {
     std::vector<Command> shot(const Session& session);
 
     /// Starts the turn when a new one has begun, and renews the forecast when balls or aim have
-    /// changed.
+    /// changed. A turn from the position of the last shot (another try, or an undone shot) starts
+    /// with the aim of that shot.
     void look(const Session& session);
     /// Computes one more shot of the scatter; false when it is complete.
     bool work(const Session& session);
@@ -88,6 +92,8 @@ class PoolAim {
     PoolCall call(const Session& session) const;
     std::vector<BallId> targets(const Session& session) const;
     void begin_turn(const Session& session);
+    bool aim_as_before(const Session& session);
+    static std::vector<Vec2> places_of_balls(const Session& session);
     void aim_at_nearest(const Session& session);
     bool is_break(const Session& session) const;
     Aids shown_aids() const;
@@ -99,6 +105,12 @@ class PoolAim {
     std::optional<BallId> chosen_;  ///< of several; void in another player's turn
     bool is_match_ = false;
     bool has_aimed_ = false;  ///< the player has aimed in this turn, so the bearing is kept
+    /// The last shot, and where it was played from.
+    struct Played {
+        std::vector<Vec2> places;  ///< see places_of_balls()
+        ShotSetup setup;
+    };
+    std::optional<Played> played_;
     std::size_t pot_ = 0;
     std::string pot_text_;
 

@@ -99,6 +99,7 @@ std::vector<Command> PoolAim::shot(const Session& session) {
     if (game && game->rules.phase == PoolPhase::playing && !(what == game->call))
         commands.push_back(command::CallShot{what});
     commands.push_back(strike(session));
+    played_ = Played{places_of_balls(session), setup_};
     return commands;
 }
 

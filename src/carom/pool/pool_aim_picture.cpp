@@ -85,6 +85,16 @@ std::optional<int> PoolAim::marked_pocket(const Session& session) const {
     return only;
 }
 
+PoolAnnotations::Line PoolAim::stick(const Session& session) const {
+    const World& world = session.world();
+    const auto ball = *index_of(world, *cue_ball(session));
+    const double radius = world.balls().radius[ball];
+    const Vec2 velocity = strike(session).velocity;
+    const Vec2 way = velocity / length(velocity);
+    const Vec2 tip = world.balls().position[ball] - way * (1.5 * radius + 0.03 * length(velocity));
+    return {tip, tip - way * (16.0 * radius)};
+}
+
 PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     PoolAnnotations annotations;
     annotations.numbers = numbers_of(session);
@@ -94,10 +104,7 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     const BallId cue = *cue_ball(session);
     const double radius = world.balls().radius[*index_of(world, cue)];
     const command::Strike strike = this->strike(session);
-    const Vec2 from = world.balls().position[*index_of(world, cue)];
-    const Vec2 way = strike.velocity / length(strike.velocity);
-    const Vec2 tip = from - way * (1.5 * radius + 0.03 * length(strike.velocity));
-    annotations.stick = PoolAnnotations::Line{tip, tip - way * (16.0 * radius)};
+    annotations.stick = stick(session);
     if (const auto pocket = marked_pocket(session)) {
         const std::uint32_t zone = session.scene().pool.pockets[static_cast<std::size_t>(*pocket)];
         annotations.called = session.scene().world.zones()[zone].shape.start;

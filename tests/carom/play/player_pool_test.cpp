@@ -115,8 +115,46 @@ TEST_CASE("a pull with the right button shoots the opposite way, harder for a lo
     const Vec2 from = person.cue();
     person.drag(from, from - Vec2{0.6, 0.0}, 3);
     CHECK(person.play().is_shooting);
-    CHECK(person.last_strike().x == doctest::Approx(3.0).epsilon(0.05));
-    CHECK(std::abs(person.last_strike().y) < 0.2);
+    CHECK(person.last_strike().x == doctest::Approx(6.1).epsilon(0.06));
+    CHECK(std::abs(person.last_strike().y) < 0.4);
+}
+
+TEST_CASE("the left button takes the cue by the stick, and the pull keeps the aim") {
+    using enum InputEvent::Action;
+    Person person("nine-ball");
+    person.key(key::left);
+    person.key(key::enter);
+    const Vec2 aimed = person.last_strike();
+    person.key(U'r');
+    person.key(key::left);
+    const Vec2 back = aimed / -length(aimed);
+    const Vec2 grip = person.cue() + back * 0.4;
+    // Let go where it was taken: no shot, and the speed is as before.
+    person.mouse(press, grip);
+    person.mouse(release, grip);
+    CHECK_FALSE(person.play().is_shooting);
+    CHECK(person.sees("8.00 m/s"));
+    person.mouse(press, grip);
+    person.mouse(move, grip + back * 0.15);
+    CHECK(person.sees("let go shoot"));
+    person.key(key::enter);  // the cue is in the mouse's hand
+    CHECK_FALSE(person.play().is_shooting);
+    person.mouse(release, grip + back * 0.3);
+    REQUIRE(person.play().is_shooting);
+    const Vec2 strike = person.last_strike();
+    CHECK(length(strike) == doctest::Approx(0.3 * (3.0 + 0.34 * 0.3 / 0.028575)).epsilon(0.15));
+    CHECK(std::abs(cross(strike, aimed)) < 0.01 * length(strike) * length(aimed));
+}
+
+TEST_CASE("the left button takes the cue ball where it may not be placed, and full power fits") {
+    Person person("eight-ball");
+    person.key(key::enter);
+    person.wait();
+    REQUIRE(person.play().rules.in_hand == CueInHand::no);
+    REQUIRE(person.play().rules.phase == PoolPhase::playing);
+    const Vec2 from = person.cue();
+    person.drag(from, from + Vec2{from.x > 0.0 ? -0.95 : 0.95, 0.0});
+    CHECK(length(person.last_strike()) == doctest::Approx(13.0).epsilon(0.05));
 }
 
 TEST_CASE("a press on the cloth points the cue there, without shooting") {
@@ -153,6 +191,37 @@ TEST_CASE("undo reverts the shot") {
     person.key(U'u');
     CHECK(fingerprint(person.player.session().world(), person.player.session().game()) == before);
     CHECK(person.sees("player 1 breaks"));
+}
+
+TEST_CASE("an undone shot and another try begin with the aim of the shot before") {
+    Person person("eight-ball");
+    for (int i = 0; i < 3; ++i)
+        person.key(key::left);
+    person.key(key::down);
+    person.key(key::up, shift);
+    const std::string aimed = person.look().substr(person.look().find("m/s") - 5);
+    person.key(key::enter);
+    const Vec2 first = person.last_strike();
+    person.wait();
+    person.key(U'u');
+    CHECK(person.look().substr(person.look().find("m/s") - 5) == aimed);
+    person.key(key::enter);
+    CHECK(person.last_strike() == first);
+    person.wait();
+    CHECK_FALSE(person.sees("follow 0.05"));  // another position, another aim
+
+    test::PersonAtWindow at_drill(session_of("drill-stop"), 120, 36);
+    for (int i = 0; i < 2; ++i)
+        at_drill.key(key::up);
+    CHECK(at_drill.sees("2.20 m/s"));
+    at_drill.key(key::enter);
+    at_drill.pass(0.3);
+    at_drill.key(key::enter);
+    at_drill.pass(1.0);
+    for (int i = 0; i < 60 * 60 && !at_drill.sees("TRY 2"); ++i)
+        at_drill.player.advance(1.0 / 10.0, always);
+    CHECK(at_drill.sees("TRY 2 OF 5"));
+    CHECK(at_drill.sees("2.20 m/s"));
 }
 
 TEST_CASE("the aim calls the ball that it pockets, and a key calls a safety") {
@@ -230,7 +299,15 @@ TEST_CASE("in a match the push of the mouse gives the speed, and the way is that
     const Vec2 at = person.cue() - Vec2{0.1, 0.0};
     // Let go without a push: no shot.
     person.mouse(press, at, 3);
+    CHECK(person.sees("pull the mouse back"));
+    const std::string before = person.look();
     person.mouse(move, at - Vec2{0.3, 0.0}, 3);
+    CHECK(person.sees("now push it forward"));
+    CHECK(person.sees("push forward strike"));
+    const auto table_of = [](const std::string& text) {
+        return text.substr(0, text.size() * 3 / 4);
+    };
+    CHECK(table_of(person.look()) != table_of(before));  // the cue went back
     person.mouse(release, at - Vec2{0.3, 0.0}, 3);
     CHECK_FALSE(person.play().is_shooting);
     person.mouse(press, at, 3);
