@@ -1,6 +1,7 @@
 #include "game/ai/planner.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "game/ai/pool_value.h"
@@ -14,7 +15,16 @@ constexpr double foresight = 40.0;
 
 constexpr std::size_t most_finalists = 10;
 constexpr int rounds = 14;
+/// After so many rounds only so many of the finalists remain: the others are behind.
+struct Cut {
+    int after;
+    std::size_t remain;
+};
+constexpr std::array cuts{Cut{4, 5}, Cut{8, 3}};
 constexpr double value_of_miss = -0.4;
+/// Of a foul that does not give the opponent ball in hand, beyond the points that it costs: a limit
+/// of fouls in a row comes nearer, and two players who foul in turn play a frame without end.
+constexpr double value_of_foul = -0.15;
 
 }  // namespace
 
@@ -53,8 +63,9 @@ Forecast ShotPlanner::try_out(const Trial& trial, const command::Strike& strike)
 double ShotPlanner::value_of(const Forecast& ahead) const {
     const auto& play = std::get<PoolPlay>(ahead.game);
     if (play.is_shooting) return 0.0;  // the balls did not come to rest in time
-    const double value =
-        value_to(play_.rules.player, scene_, ahead.world, play, cloth_, error_.bearing);
+    double value = value_to(play_.rules.player, scene_, ahead.world, play, cloth_, error_.bearing);
+    if (play.last_foul != PoolFoul::none && play.rules.in_hand == CueInHand::no)
+        value += value_of_foul;
     // A weak opening may have to be repeated without end: its points are not all that it costs.
     return play.last_foul == PoolFoul::weak_opening ? std::min(value, value_of_miss) : value;
 }
@@ -106,6 +117,18 @@ void ShotPlanner::begin_testing() {
     stage_ = Stage::testing;
     next_ = 0;
     round_ = 0;
+    finalists_ = trials_.size();
+}
+
+// Ranks the shots that are still tested, by what the trials with noise have shown so far.
+void ShotPlanner::rank_finalists() {
+    for (std::size_t i = 0; i < finalists_; ++i) {
+        Trial& trial = trials_[i];
+        trial.shot.success = static_cast<double>(trial.continued) / round_;
+        trial.shot.value = trial.sum / round_ + liking_for(trial.shot, trial.shot.success);
+    }
+    std::stable_sort(trials_.begin(), trials_.begin() + static_cast<std::ptrdiff_t>(finalists_),
+                     [](const Trial& a, const Trial& b) { return a.shot.value > b.shot.value; });
 }
 
 void ShotPlanner::test_next() {
@@ -115,19 +138,18 @@ void ShotPlanner::test_next() {
     const Forecast ahead = try_out(trial, off);
     trial.sum += value_of(ahead);
     if (continues_turn(ahead)) ++trial.continued;
-    if (++next_ < trials_.size()) return;
+    if (++next_ < finalists_) return;
     next_ = 0;
-    if (++round_ == rounds) finish();
+    ++round_;
+    const auto cut = std::ranges::find(cuts, round_, &Cut::after);
+    if (cut == cuts.end() && round_ < rounds) return;
+    rank_finalists();
+    if (round_ == rounds) return finish();
+    finalists_ = std::min(finalists_, cut->remain);
 }
 
 void ShotPlanner::finish() {
     stage_ = Stage::done;
-    for (Trial& trial : trials_) {
-        trial.shot.success = static_cast<double>(trial.continued) / rounds;
-        trial.shot.value = trial.sum / rounds + liking_for(trial.shot, trial.shot.success);
-    }
-    std::ranges::stable_sort(
-        trials_, [](const Trial& a, const Trial& b) { return a.shot.value > b.shot.value; });
     // Up to three shots that differ in more than speed and spin.
     for (const Trial& trial : trials_) {
         const auto is_same = [&](const CandidateShot& other) {

@@ -13,8 +13,8 @@
 
 /// The planner of the AI player at pool. It proposes candidate shots by geometry, simulates each on
 /// the engine, then simulates the best ones again with execution noise, and ranks them by the
-/// position they leave. The work is bounded by a number of shots, never by a clock, so a position
-/// gives the same shot on every machine.
+/// position they leave. Shots that fall behind get fewer of these trials. The work is bounded by a
+/// number of shots, never by a clock, so a position gives the same shot on every machine.
 namespace carom {
 
 /// Levels of skill, which set the execution noise of the AI player.
@@ -45,7 +45,7 @@ std::string candidate_text(const Scene& scene, const CandidateShot& shot);
 class ShotPlanner {
   public:
     /// One decision simulates about this many shots.
-    static constexpr int most_tries = 320;
+    static constexpr int most_tries = 270;
 
     /// Pre: the balls are at rest, the phase is breaking or playing; the scene outlives the
     /// planner.
@@ -78,6 +78,7 @@ class ShotPlanner {
     void add_pot(const PotLine& line, std::optional<Vec2> place, Vec2 direction, double speed,
                  double side, double follow);
     Vec2 corrected(const PotLine& line, std::optional<Vec2> place, double speed);
+    std::vector<BallId> nearest_balls(Vec2 from) const;
     bool may_place(Vec2 place) const;
     World world_with(const std::optional<Vec2>& place) const;
     Forecast try_out(const Trial& trial, const command::Strike& strike);
@@ -87,6 +88,7 @@ class ShotPlanner {
     void try_next();
     void begin_testing();
     void test_next();
+    void rank_finalists();
     void finish();
 
     const Scene& scene_;
@@ -102,6 +104,7 @@ class ShotPlanner {
     std::vector<Trial> trials_;
     std::size_t next_ = 0;
     int round_ = 0;
+    std::size_t finalists_ = 0;  ///< the first of trials_, which are still tested
     std::vector<CandidateShot> best_;
 };
 

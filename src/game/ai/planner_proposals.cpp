@@ -19,6 +19,9 @@ constexpr double short_foresight = 1.6;
 constexpr std::size_t most_trials = 150;
 constexpr std::size_t most_lines = 8;
 constexpr std::size_t most_placed_lines = 10;
+/// Safeties are on the nearest balls only, and on none where a pot is as certain as this.
+constexpr std::size_t most_safe_balls = 6;
+constexpr double certain = 0.9;
 
 // `v` rotated by the angle from `from` to `to`. Pre: both are unit vectors.
 Vec2 turned(Vec2 v, Vec2 from, Vec2 to) {
@@ -39,7 +42,9 @@ void ShotPlanner::propose() {
         const auto lines = useful_lines(scene_, world_, play_, cloth_, from, legal_balls(play_));
         propose_pots(std::nullopt, lines);
     }
-    propose_hits(from, std::nullopt);
+    const bool is_certain =
+        std::ranges::any_of(trials_, [](const Trial& trial) { return trial.chance >= certain; });
+    if (!is_certain || rules.may_push_out || style_.safety > 0.0) propose_hits(from, std::nullopt);
 }
 
 // Thin and full hits on the rack from three places: the safest that the simulation finds.
@@ -135,7 +140,21 @@ void ShotPlanner::propose_pots(std::optional<Vec2> place, std::span<const PotLin
         if (direct <= 2)
             for (const double side : {0.25, -0.25})
                 add_pot(line, place, direction, usual, side, 0.0);
+        // Hard shots, which send the cue ball into a cluster.
+        if (direct <= 2)
+            for (const double follow : {0.0, 0.3, -0.3})
+                add_pot(line, place, direction, usual * 2.2, 0.0, follow);
     }
+}
+
+// The legal balls that lie nearest to `from`, the nearest first.
+std::vector<BallId> ShotPlanner::nearest_balls(Vec2 from) const {
+    std::vector<BallId> balls = legal_balls(play_);
+    std::ranges::stable_sort(balls, {}, [&](BallId ball) {
+        return length(world_.balls().position[*index_of(world_, ball)] - from);
+    });
+    if (balls.size() > most_safe_balls) balls.resize(most_safe_balls);
+    return balls;
 }
 
 // Safeties. Where none can be called, but a ball has to be named, it is the one that is hit.
@@ -163,7 +182,7 @@ void ShotPlanner::propose_hits(Vec2 from, std::optional<Vec2> place) {
     // A rack has to be driven to cushions.
     const bool is_break = play_.rules.phase == PoolPhase::breaking;
     const std::array speeds = is_break ? std::array{1.6, 2.4, 3.4} : std::array{0.7, 1.2, 2.2};
-    for (const BallId object : legal_balls(play_))
+    for (const BallId object : is_break ? legal_balls(play_) : nearest_balls(from))
         for (const Vec2 way : hit_directions(scene_, world_, cloth_, cue, from, object))
             for (const double speed : speeds) {
                 add(CandidateShot::Kind::safety, call_of(object), way * (speed * pace), object);

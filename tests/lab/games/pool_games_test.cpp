@@ -59,6 +59,15 @@ TEST_CASE("a match is reported in one row") {
     CHECK(pool_match_row("nine-ball", {{2, 1}, {}}).starts_with("| nine-ball | 2 against 1 | 0 |"));
 }
 
+TEST_CASE("straight pool is no exchange of fouls, and ends") {
+    const Scene scene = test::shipped_level("straight-pool", {"game straightpool points=12"});
+    const PoolFrame frame = play_pool_frame(scene, pick_solver(scene.world).settings, {4, 4}, 0);
+    CHECK(!frame.refused);
+    CHECK(frame.winner.has_value());
+    CHECK(frame.shots < 100);
+    CHECK(5 * (frame.fouls[0] + frame.fouls[1]) <= frame.shots);
+}
+
 // With CAROM_POOL_FIGURES=FILE it writes the results of neighbouring skills there, CAROM_FRAMES
 // sets the number of frames of each pair, and CAROM_POOL_GAME=LEVEL plays that game alone:
 // scripts/update pool.
