@@ -1,47 +1,121 @@
 #pragma once
 
-#include <algorithm>
-
+#include "geometry/f64x2.h"
 #include "physics/contact/constraints.h"
 
-// What a change of impulse does to the bodies of a constraint, for the files that iterate.
+// What a change of impulse does to the bodies of constraints, for the files that iterate: to those
+// of two constraints side by side, which share no body but the fixed one.
 namespace carom {
 
+namespace contact_lanes {
+
+/// A member of both.
+template <typename Record>
+inline F64x2 both(const Record& first, const Record& second, double Record::*member) {
+    return F64x2{first.*member, second.*member};
+}
+
+/// The vectors of two constraints or bodies, by component.
+struct Vectors {
+    F64x2 x;
+    F64x2 y;
+
+    Vectors(Vec2 first, Vec2 second) : x{first.x, second.x}, y{first.y, second.y} {}
+};
+
+}  // namespace contact_lanes
+
 template <bool spin>
-inline void ContactConstraints::change_impulse(ContactConstraint& constraint, double impulse) {
-    ContactBody& a = bodies_.body[constraint.a];
-    ContactBody& b = bodies_.body[constraint.b];
-    Vec2 velocity_a = a.velocity;
-    Vec2 velocity_b = b.velocity;
-    const Vec2 push = constraint.normal * (impulse - constraint.impulse);
-    constraint.impulse = impulse;
-    velocity_a += push * a.inverse_mass;
-    velocity_b -= push * b.inverse_mass;
-    if constexpr (spin) {
-        const Vec2 tangent = perpendicular(constraint.normal);
-        const double slip =
-            dot(velocity_a - velocity_b, tangent) - (a.surface_speed + b.surface_speed);
-        const double most = constraint.friction * impulse;
-        const double wanted =
-            constraint.tangential_impulse - slip * constraint.mass * step_.friction_mass;
-        const double bounded = std::max(std::min(wanted, most), -most);
-        const double change = bounded - constraint.tangential_impulse;
-        constraint.tangential_impulse = bounded;
-        const double of_a = change * a.inverse_mass;
-        const double of_b = change * b.inverse_mass;
-        velocity_a += tangent * of_a;
-        velocity_b -= tangent * of_b;
-        a.surface_speed -= of_a * step_.spin_ease;
-        if (constraint.b != bodies_.fixed) b.surface_speed -= of_b * step_.spin_ease;
-    }
-    a.velocity = velocity_a;
+inline void ContactConstraints::change_impulses(ContactConstraint& first, ContactConstraint& second,
+                                                F64x2 impulse) {
+    using contact_lanes::both, contact_lanes::Vectors;
+    ContactBody& first_a = bodies_.body[first.a];
+    ContactBody& first_b = bodies_.body[first.b];
+    ContactBody& second_a = bodies_.body[second.a];
+    ContactBody& second_b = bodies_.body[second.b];
+    const Vectors normal(first.normal, second.normal);
+    Vectors a(first_a.velocity, second_a.velocity);
+    Vectors b(first_b.velocity, second_b.velocity);
+    const F64x2 inverse_a = both(first_a, second_a, &ContactBody::inverse_mass);
+    const F64x2 inverse_b = both(first_b, second_b, &ContactBody::inverse_mass);
+    const F64x2 more = impulse - both(first, second, &ContactConstraint::impulse);
+    const F64x2 push_x = normal.x * more;
+    const F64x2 push_y = normal.y * more;
+    first.impulse = impulse[0];
+    second.impulse = impulse[1];
+    a.x += push_x * inverse_a;
+    a.y += push_y * inverse_a;
+    b.x -= push_x * inverse_b;
+    b.y -= push_y * inverse_b;
     // Writing to the fixed body would make all pairs that share it wait for one another.
-    if (constraint.b != bodies_.fixed) b.velocity = velocity_b;
+    const bool moves_second_a = second.a != bodies_.fixed;
+    const bool moves_first_b = first.b != bodies_.fixed;
+    const bool moves_second_b = second.b != bodies_.fixed;
+    if constexpr (spin) {
+        const F64x2 tangent_x = -normal.y;
+        const F64x2 tangent_y = normal.x;
+        F64x2 surface_a = both(first_a, second_a, &ContactBody::surface_speed);
+        F64x2 surface_b = both(first_b, second_b, &ContactBody::surface_speed);
+        const F64x2 old = both(first, second, &ContactConstraint::tangential_impulse);
+        const F64x2 slip =
+            ((a.x - b.x) * tangent_x + (a.y - b.y) * tangent_y) - (surface_a + surface_b);
+        const F64x2 most = both(first, second, &ContactConstraint::friction) * impulse;
+        const F64x2 wanted =
+            old - slip * both(first, second, &ContactConstraint::mass) * step_.friction_mass;
+        const F64x2 bounded = at_least(-most, at_most(most, wanted));
+        const F64x2 change = bounded - old;
+        first.tangential_impulse = bounded[0];
+        second.tangential_impulse = bounded[1];
+        const F64x2 of_a = change * inverse_a;
+        const F64x2 of_b = change * inverse_b;
+        a.x += tangent_x * of_a;
+        a.y += tangent_y * of_a;
+        b.x -= tangent_x * of_b;
+        b.y -= tangent_y * of_b;
+        surface_a -= of_a * step_.spin_ease;
+        surface_b -= of_b * step_.spin_ease;
+        first_a.surface_speed = surface_a[0];
+        if (moves_second_a) second_a.surface_speed = surface_a[1];
+        if (moves_first_b) first_b.surface_speed = surface_b[0];
+        if (moves_second_b) second_b.surface_speed = surface_b[1];
+    }
+    first_a.velocity = {a.x[0], a.y[0]};
+    if (moves_second_a) second_a.velocity = {a.x[1], a.y[1]};
+    if (moves_first_b) first_b.velocity = {b.x[0], b.y[0]};
+    if (moves_second_b) second_b.velocity = {b.x[1], b.y[1]};
+}
+
+template <typename Visit>
+inline void ContactConstraints::upwards_by_twos(Visit&& visit) {
+    for (std::size_t k = 0; k < constraints_.size();) {
+        ContactConstraint& first = constraints_[k++];
+        visit(first, first.has_neighbour ? constraints_[k++] : nothing_);
+    }
+}
+
+template <typename Visit>
+inline void ContactConstraints::downwards_by_twos(Visit&& visit) {
+    for (std::size_t k = constraints_.size(); k > 0;) {
+        ContactConstraint& last = constraints_[--k];
+        if (k > 0 && constraints_[k - 1].has_neighbour)
+            visit(constraints_[--k], last);
+        else
+            visit(last, nothing_);
+    }
 }
 
 inline double ContactConstraints::separating_speed(const ContactConstraint& constraint) const {
     return dot(bodies_.body[constraint.a].velocity - bodies_.body[constraint.b].velocity,
                constraint.normal);
+}
+
+inline F64x2 ContactConstraints::separating_speeds(const ContactConstraint& first,
+                                                   const ContactConstraint& second) const {
+    using contact_lanes::Vectors;
+    const Vectors a(bodies_.body[first.a].velocity, bodies_.body[second.a].velocity);
+    const Vectors b(bodies_.body[first.b].velocity, bodies_.body[second.b].velocity);
+    const Vectors normal(first.normal, second.normal);
+    return (a.x - b.x) * normal.x + (a.y - b.y) * normal.y;
 }
 
 }  // namespace carom

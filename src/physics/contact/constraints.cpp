@@ -29,6 +29,7 @@ template <bool spin>
 void ContactConstraints::begin_all() {
     const std::span<const std::uint32_t> indices = classification_.constraints();
     constraints_.resize(indices.size());
+    nothing_ = {.a = bodies_.fixed, .b = bodies_.fixed};
     new_.clear();
     const double per_substep = 1.0 / step_.duration;
     double springs = 0.0;
@@ -66,26 +67,34 @@ bool ContactConstraints::share_body(const ContactConstraint& one,
 }
 
 template <bool spin>
-inline void ContactConstraints::solve(ContactConstraint& constraint) {
-    const bool is_open = constraint.target > 0.0;
-    const double mass = is_open ? constraint.mass : step_.softness.mass_share * constraint.mass;
-    const double given_back = is_open ? 0.0 : step_.softness.impulse_share;
-    const double change =
-        mass * (separating_speed(constraint) + constraint.target) + given_back * constraint.impulse;
-    change_impulse<spin>(constraint, std::max(constraint.impulse - change, 0.0));
+inline void ContactConstraints::solve(ContactConstraint& first, ContactConstraint& second) {
+    using contact_lanes::both;
+    const F64x2 target = both(first, second, &ContactConstraint::target);
+    const F64x2 impulse = both(first, second, &ContactConstraint::impulse);
+    const auto is_open = target > F64x2{};
+    const F64x2 one{1.0, 1.0};
+    const F64x2 mass = (is_open ? one : one * step_.softness.mass_share) *
+                       both(first, second, &ContactConstraint::mass);
+    const F64x2 given_back = is_open ? F64x2{} : one * step_.softness.impulse_share;
+    const F64x2 change = mass * (separating_speeds(first, second) + target) + given_back * impulse;
+    change_impulses<spin>(first, second, at_least(F64x2{}, impulse - change));
 }
 
 // A pair without an impulse may close its gap within a substep, but no faster. A pair that pressed
 // in the last substep is over-relaxed, since its neighbours undo a part of the change.
 template <bool spin>
-inline void ContactConstraints::relax(ContactConstraint& constraint) {
-    const double room = constraint.impulse == 0.0 ? std::max(constraint.target, 0.0) : 0.0;
-    const double speed = separating_speed(constraint) + room;
-    const double most =
-        constraint.is_persistent ? contact_tolerance::over_relaxation * step_.rest_speed : 0.0;
-    const double more = std::max(std::min(contact_tolerance::over_relaxation * speed, most), -most);
-    const double change = constraint.mass * (speed + more);
-    change_impulse<spin>(constraint, std::max(constraint.impulse - change, 0.0));
+inline void ContactConstraints::relax(ContactConstraint& first, ContactConstraint& second) {
+    using contact_lanes::both;
+    const F64x2 impulse = both(first, second, &ContactConstraint::impulse);
+    const F64x2 room = impulse == F64x2{}
+                           ? at_least(F64x2{}, both(first, second, &ContactConstraint::target))
+                           : F64x2{};
+    const F64x2 speed = separating_speeds(first, second) + room;
+    const double bound = contact_tolerance::over_relaxation * step_.rest_speed;
+    const F64x2 most{first.is_persistent ? bound : 0.0, second.is_persistent ? bound : 0.0};
+    const F64x2 more = at_least(-most, at_most(most, contact_tolerance::over_relaxation * speed));
+    const F64x2 change = both(first, second, &ContactConstraint::mass) * (speed + more);
+    change_impulses<spin>(first, second, at_least(F64x2{}, impulse - change));
 }
 
 // A pair that is about to bounce takes no impulse from a ball that has just bounced.
@@ -96,17 +105,23 @@ bool ContactConstraints::is_about_to_bounce(const ContactConstraint& constraint)
 template <bool spin>
 void ContactConstraints::solve_all(bool downwards) {
     if (downwards)
-        for (std::size_t k = constraints_.size(); k-- > 0;)
-            solve<spin>(constraints_[k]);
+        downwards_by_twos([&](auto& first, auto& second) { solve<spin>(first, second); });
     else
-        for (ContactConstraint& constraint : constraints_)
-            solve<spin>(constraint);
+        upwards_by_twos([&](auto& first, auto& second) { solve<spin>(first, second); });
 }
 
 template <bool spin>
 void ContactConstraints::relax_all() {
-    for (std::size_t k = constraints_.size(); k-- > 0;)
-        if (!had_impacts_ || !is_about_to_bounce(constraints_[k])) relax<spin>(constraints_[k]);
+    downwards_by_twos([&](auto& first, auto& second) {
+        const bool skips_first = had_impacts_ && is_about_to_bounce(first);
+        const bool skips_second = had_impacts_ && is_about_to_bounce(second);
+        if (!skips_first && !skips_second)
+            relax<spin>(first, second);
+        else if (!skips_first)
+            relax<spin>(first, nothing_);
+        else if (!skips_second)
+            relax<spin>(second, nothing_);
+    });
 }
 
 void ContactConstraints::solve(bool downwards) {
@@ -121,7 +136,8 @@ void ContactConstraints::begin() {
     solve(false);
     for (int iteration = 1; iteration < contact_tolerance::loaded_iterations; ++iteration)
         for (const std::uint32_t k : loaded_)
-            step_.spins ? solve<true>(constraints_[k]) : solve<false>(constraints_[k]);
+            step_.spins ? solve<true>(constraints_[k], nothing_)
+                        : solve<false>(constraints_[k], nothing_);
 }
 
 void ContactConstraints::relax(double most_push, bool had_impacts) {
@@ -133,7 +149,7 @@ void ContactConstraints::relax(double most_push, bool had_impacts) {
         for (std::size_t k = loaded_.size(); k-- > 0;) {
             ContactConstraint& constraint = constraints_[loaded_[k]];
             if (had_impacts_ && is_about_to_bounce(constraint)) continue;
-            step_.spins ? relax<true>(constraint) : relax<false>(constraint);
+            step_.spins ? relax<true>(constraint, nothing_) : relax<false>(constraint, nothing_);
         }
     }
     store_impulses();

@@ -54,20 +54,17 @@ void ContactConstraints::take_back_excess() {
     const auto may_have_excess = [&](const ContactConstraint& constraint) {
         return constraint.impulse > 0.0 && separating_speed(constraint) > bound;
     };
-    for (std::size_t end = constraints_.size(); end > 0;) {
-        const std::size_t begin = end - (end > 1 && constraints_[end - 2].has_neighbour ? 2 : 1);
-        ContactConstraint& first = constraints_[begin];
-        ContactConstraint& last = constraints_[end - 1];
-        end = begin;
+    downwards_by_twos([&](ContactConstraint& first, ContactConstraint& second) {
         const bool is_first = may_have_excess(first);
-        const bool is_last = &last != &first && may_have_excess(last);
-        if (!is_first && !is_last) continue;
+        const bool is_second = may_have_excess(second);
+        if (!is_first && !is_second) return;
         const auto of_first = is_first ? without_excess(first, up) : std::nullopt;
-        const auto of_last = is_last ? without_excess(last, up) : std::nullopt;
-        if (!of_first && !of_last) continue;
-        change_impulse<spin>(first, of_first.value_or(first.impulse));
-        if (&last != &first) change_impulse<spin>(last, of_last.value_or(last.impulse));
-    }
+        const auto of_second = is_second ? without_excess(second, up) : std::nullopt;
+        if (!of_first && !of_second) return;
+        change_impulses<spin>(
+            first, second,
+            F64x2{of_first.value_or(first.impulse), of_second.value_or(second.impulse)});
+    });
 }
 
 template void ContactConstraints::take_back_excess<false>();
