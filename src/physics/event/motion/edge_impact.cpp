@@ -136,12 +136,13 @@ std::optional<Real> side_time_of_impact(const Trajectory<Real>& trajectory, cons
             [&](const Real& time) -> Separation<Real> {
                 const BallState<Real> state = state_at(trajectory, field, time);
                 const Real up = dot(normal, state.position - edge.start);
-                // Behind the side, the distance is that to the side itself.
-                Separation<Real> now{up > zero ? up - reach : reach - up,
-                                     dot(normal, state.velocity), zero};
+                // A ball behind the side has no impact with it before it has come through: until
+                // then its distance is the way to there.
+                const Real side = up > zero ? Real(1.0) : Real(-1.0);
+                Separation<Real> now{side * (up - reach), side * dot(normal, state.velocity), zero};
                 if (trajectory.motion == Motion::turning) return now;
                 const Real normal_acceleration =
-                    dot(normal, acceleration_at(trajectory, field, state.velocity));
+                    side * dot(normal, acceleration_at(trajectory, field, state.velocity));
                 now.acceleration_bound = normal_acceleration < zero ? -normal_acceleration : zero;
                 return now;
             },

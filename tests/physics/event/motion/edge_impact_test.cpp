@@ -57,6 +57,26 @@ TEST_CASE("edge impact: a parabola comes back to the side") {
     CHECK(impact_with(floor_edge, trajectory) == doctest::Approx(1.0));
 }
 
+TEST_CASE("edge impact: under drag a ball that rises past an end comes down on the side") {
+    Field<double> field;
+    field.gravity = {0.0, -10.0};
+    field.has_drag = true;
+    for (const double drag : {0.01, 0.1, 0.3}) {
+        CAPTURE(drag);
+        field.drag = drag;
+        // It starts behind the line through the edge, beside which it is later.
+        const auto trajectory = thrown({-4.0, -1.0}, {3.3, 6.2}, {0.0, -10.0});
+        ToiSearch<double> search;
+        const auto time =
+            edge_time_of_impact<double>(trajectory, floor_edge, 0.4, field, 100.0, search);
+        REQUIRE(time);
+        const BallState<double> state = state_at(trajectory, field, *time);
+        CHECK(state.position.y == doctest::Approx(0.5).epsilon(1e-12));
+        CHECK(state.velocity.y < 0.0);
+        CHECK(std::fabs(state.position.x) < 2.0);
+    }
+}
+
 TEST_CASE("edge impact: a resting ball meets no edge") {
     auto trajectory = thrown({0.0, 0.5}, {});
     trajectory.motion = Motion::resting;
