@@ -90,6 +90,12 @@ enum class ContactState : std::uint8_t {
     ccd          ///< may collide: its impact is found in time
 };
 
+/// Two bodies by index.
+struct BodyPair {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+};
+
 /// Two bodies that could meet in the tick: a persistent contact, which carries its impulses from
 /// substep to substep.
 struct ContactPair {

@@ -34,16 +34,17 @@ double ContactEnergy::gain_of(std::uint32_t i) const {
            (before + dot(step_.gravity, bodies_.displacement[i])) / bodies_.body[i].inverse_mass;
 }
 
-void ContactEnergy::end_substep(std::span<const ContactConstraint> constraints, double given) {
+void ContactEnergy::end_substep(std::span<const ContactConstraint> constraints,
+                                std::span<const BodyPair> impacts, double given) {
     if (constraints.empty()) return;
     if (!energy_) energy_ = energy_of_balls();
     const double gain = (step_.spins ? gain_of_balls<true>() : gain_of_balls<false>()) - given;
     stored_ = std::min(stored_ - gain, contact_tolerance::most_stored * *energy_);
-    const double excess = -contact_tolerance::most_owed * *energy_ - stored_;
-    if (!(gain > 0.0) || !(excess > 0.0)) return;
+    if (!(gain > 0.0) || !(excess() > 0.0)) return;
     find_groups(constraints);
     find_staying();
-    stored_ += take_back(excess);
+    stored_ += take_back(excess());
+    if (excess() > 0.0) stored_ += take_from_hit(impacts, excess());
 }
 
 // Potential energy is 0 at the lowest point of the lowest ball.
@@ -136,7 +137,7 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
 bool ContactEnergy::have_room(const ContactPair& pair) {
     const auto way_back = [&](std::uint32_t body) {
         const Group& group = groups_[group_of(body)];
-        const bool goes = group.gain > 0.0 && group.lift > 0.0 && !group.stays;
+        const bool goes = group.gain > 0.0 && group.lift > 0.0 && group.may_go_back();
         return goes ? bodies_.displacement[body] : Vec2{};
     };
     if (!bodies_.is_ball(pair.b) || bodies_.is_kinematic(pair.a) || bodies_.is_kinematic(pair.b))
@@ -178,13 +179,42 @@ double ContactEnergy::take_back(double excess) {
     return taken;
 }
 
+// Takes energy from the balls that pressed groups have hit, of what they have gained, in
+// proportion. Returns how much.
+double ContactEnergy::take_from_hit(std::span<const BodyPair> impacts, double excess) {
+    hit_.clear();
+    for (const auto& [a, b] : impacts) {
+        if (group_of(a) == group_of(b)) continue;
+        if (groups_[group_of(b)].is_pressed && !groups_[group_of(a)].is_pressed) hit_.push_back(a);
+        if (groups_[group_of(a)].is_pressed && !groups_[group_of(b)].is_pressed) hit_.push_back(b);
+    }
+    std::ranges::sort(hit_);
+    hit_.erase(std::unique(hit_.begin(), hit_.end()), hit_.end());
+    double gains = 0.0;
+    for (const std::uint32_t i : hit_)
+        gains += std::max(0.0, gain_of(i));
+    if (!(gains > 0.0)) return 0.0;
+    double taken = 0.0;
+    for (const std::uint32_t i : hit_) {
+        const double kinetic = kinetic_energy_of(i);
+        const double part = std::min(1.0, excess / gains) * std::max(0.0, gain_of(i));
+        const double kept = std::sqrt(std::max(0.0, 1.0 - part / kinetic));
+        if (!(part > 0.0)) continue;
+        bodies_.body[i].velocity *= kept;
+        bodies_.body[i].surface_speed *= kept;
+        taken += kinetic - kinetic_energy_of(i);
+    }
+    return taken;
+}
+
 // Takes this share of the group's gain from the ball: from its height and its speed, whichever have
-// gained. A ball that is moved back is slowed too. A group that nothing supports keeps its
-// momentum, unless its balls hardly move relative to each other.
+// gained. A ball that is moved back is slowed too. A group that nothing supports keeps its way and
+// its momentum, unless its balls hardly move relative to each other: its centre of mass flies, and
+// constraints cannot lift it.
 double ContactEnergy::take_back(std::uint32_t i, const Group& group, double share) {
     ContactBody& body = bodies_.body[i];
-    const double lifted = group.stays ? 0.0 : std::max(0.0, group.lift);
-    const double sped = std::max(0.0, group.gain - group.lift);
+    const double lifted = group.may_go_back() ? std::max(0.0, group.lift) : 0.0;
+    const double sped = group.is_supported ? std::max(0.0, group.gain - group.lift) : group.gain;
     const double part = std::min(1.0, share * group.gain / (lifted + sped));
     if (!(part > 0.0)) return 0.0;
     Vec2 centre = group.is_supported ? Vec2{} : group.momentum / group.mass;

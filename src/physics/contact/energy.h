@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/contact/constraints.h"
+#include "physics/contact/tolerances.h"
 
 namespace carom {
 
@@ -19,8 +20,12 @@ namespace carom {
 /// give, by lifting overlapping bodies or by iterations that have not converged, comes out of the
 /// store. If they give more than the limit allows, the excess is taken back at the end of the
 /// substep: each group of balls that press on one another and have gained energy moves less far,
-/// and more slowly. Embedded balls keep what they have moved to the side, which costs no energy. So
-/// a heap keeps its overlaps while the store has no energy to open them.
+/// and more slowly; one that nothing supports only moves more slowly. Embedded balls keep what they
+/// have moved to the side, which costs no energy. So a heap keeps its overlaps while the store has
+/// no energy to open them.
+///
+/// An impact may carry off what constraints have given in the same substep, to a ball that presses
+/// on nothing. What the groups cannot give back comes out of the speed that such balls have gained.
 ///
 /// Impacts, kicks, kinematic bodies and seesaws are not limited. A group that one of these bodies
 /// carries is not moved back, nor is one that would be moved into a ball that has followed it; so
@@ -39,10 +44,12 @@ class ContactEnergy {
 
     /// `springs`: the energy that the springs hold at most, as they are compressed now.
     void begin_substep(double springs) { stored_ = std::min(stored_, springs); }
-    /// Takes back what the constraints have given beyond the store. `given`: the energy that
-    /// impacts and kinematic bodies gave. Pre: velocities, positions and displacements are those of
-    /// the end of the substep.
-    void end_substep(std::span<const ContactConstraint> constraints, double given);
+    /// Takes back what the constraints have given beyond the store. `impacts`: balls that have
+    /// collided with one another in the substep. `given`: the energy that impacts and kinematic
+    /// bodies gave. Pre: velocities, positions and displacements are those of the end of the
+    /// substep.
+    void end_substep(std::span<const ContactConstraint> constraints,
+                     std::span<const BodyPair> impacts, double given);
 
   private:
     /// Balls that press on one another.
@@ -56,8 +63,11 @@ class ContactEnergy {
         bool is_supported = false;  ///< by a body that they cannot move
         bool stays = false;         ///< it may not be moved back
         bool is_embedded = false;   ///< has balls that are embedded
+
+        bool may_go_back() const { return is_supported && !stays; }
     };
 
+    double excess() const { return -contact_tolerance::most_owed * *energy_ - stored_; }
     double energy_of_balls() const;
     template <bool spin>
     double gain_of_balls() const;
@@ -68,6 +78,7 @@ class ContactEnergy {
     void find_groups(std::span<const ContactConstraint> constraints);
     bool have_room(const ContactPair& pair);
     void find_staying();
+    double take_from_hit(std::span<const BodyPair> impacts, double excess);
     double take_back(double excess);
     double take_back(std::uint32_t body, const Group& group, double share);
 
@@ -79,6 +90,7 @@ class ContactEnergy {
     // Scratch of taking back.
     std::vector<std::uint32_t> parent_;  // by ball: another one of its group, or itself
     std::vector<Group> groups_;          // by the ball that is its own parent
+    std::vector<std::uint32_t> hit_;  // balls hit by groups that they do not belong to, ascending
 };
 
 }  // namespace carom

@@ -100,6 +100,7 @@ void ContactImpacts::find_embedded() {
 
 bool ContactImpacts::find() {
     given_ = 0.0;
+    of_balls_.clear();
     find_embedded();
     find_displacements();
     find_candidates();

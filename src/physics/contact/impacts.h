@@ -62,6 +62,8 @@ class ContactImpacts {
 
     /// Longest displacement that impulses gave in the substep.
     double most_push() const { return most_push_; }
+    /// Balls that have collided with one another in the substep, but for held ones.
+    std::span<const BodyPair> of_balls() const { return of_balls_; }
     /// Energy that the impacts of the substep have given to balls; below 0: taken from them.
     double given() const { return given_; }
 
@@ -103,6 +105,7 @@ class ContactImpacts {
     std::vector<std::uint32_t> candidates_;  // pairs that may collide in the substep
     std::vector<std::uint8_t> is_embedded_;  // by ball; or empty
     std::vector<std::uint32_t> escaped_;     // bodies whose displacement leads out of their skins
+    std::vector<BodyPair> of_balls_;         // that have collided with one another
     double most_push_ = 0.0;
     double given_ = 0.0;
 };

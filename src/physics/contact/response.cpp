@@ -76,6 +76,7 @@ std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& 
                        {pair.friction, *world.model().spin});
     redirect(a, now, velocity_a, surface_a);
     redirect(b, now, velocity_b, surface_b);
+    if (!first.is_kinematic && !second.is_kinematic) of_balls_.push_back({a, b});
     if (first.is_kinematic) paths_.count_push(b, now);
     if (second.is_kinematic) paths_.count_push(a, now);
     if (!(approach > noise)) {

@@ -115,7 +115,7 @@ void ContactSolver::substep(World& world, double share_of_displacement,
         kinematics_.note_pressing(pairs_, bodies_, step_);
         kinematics_.settle_jams(pairs_, bodies_, step_);
     }
-    energy_.end_substep(constraints_.all(),
+    energy_.end_substep(constraints_.all(), impacts_.of_balls(),
                         impacts_.given() + kinematics_.work(pairs_, bodies_) + hinges_.given());
     kinematics_.end_substep(world, step_);
 }
