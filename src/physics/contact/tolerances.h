@@ -24,7 +24,7 @@
 /// | most_excess       | 4     | rest speeds                  | landings are thrown back up / falling piles overlap more |
 /// | enclosed_contacts | 3     | contacts on a ball           | lively piles boil / no ball bounces in a pile |
 /// | overlap_limit     | 0.5   | smaller radius               | balls pass through one another / pressed pairs become CCD |
-/// | embedded          | 1.02  | overlap_limit                | crowds in one place freeze / pressed pairs sink through |
+/// | embedded          | 1.1   | overlap_limit                | crowds in one place freeze / pressed pairs sink through |
 /// | soft_overlap      | 0.2   | of overlap_limit             | deep pairs are left to the constraints / falling piles never finish |
 /// | strict_overlap    | 0.018 | smaller radius               | pushes squash jams / jams without gravity stand still longer |
 /// | strict_share      | 0.5   | of the room left             | jams stand still longer, both ways |
@@ -90,8 +90,10 @@ inline constexpr int enclosed_contacts = 3;
 /// pressed: their minimum separation.
 inline constexpr double overlap_limit = 0.5;
 /// A pair that overlaps by this many times the limit has started so: its balls are embedded.
-/// Pressed pairs stop at the limit, but for rounding.
-inline constexpr double embedded = 1.02;
+/// Pressed pairs stop at the limit, but for the distance of a parabola from its chord, along which
+/// impacts are searched: g h^2 / 8, which is at most `most_fall` / 8 / `overlap_limit` = 0.0625 of
+/// the limit.
+inline constexpr double embedded = 1.1;
 /// A constraint that does not bounce is left to the next substep while it overlaps by less than
 /// this share of the limit.
 inline constexpr double soft_overlap = 0.2;
