@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "physics/event/motion/event_memory.h"
@@ -46,6 +47,15 @@ double kinetic_energy_of(const World& world) {
     for (std::size_t i = 0; i < world.balls().size(); ++i)
         sum += 0.5 * length_squared(world.balls().velocity[i]) / world.balls().inverse_mass[i];
     return sum + energy_of_seesaws(world);
+}
+
+// The least potential energy of a ball for each unit of its mass.
+double lowest_potential(const World& world) {
+    const Vec2 gravity = world.model().gravity.value_or(Vec2{});
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec2 position : world.balls().position)
+        lowest = std::min(lowest, -dot(gravity, position));
+    return lowest;
 }
 
 // Whether something besides the balls may give energy in a tick.
@@ -99,6 +109,12 @@ bool are_on_two_sides(Vec2 a, Vec2 b, Vec2 start, Vec2 end) {
     return (first > 0.0 && second < 0.0) || (first < 0.0 && second > 0.0);
 }
 
+// The depth that the rounding of coordinates explains: that of two places, and of a distance.
+double rounding_of_depth(Vec2 at, double reach) {
+    return 4.0 * std::numeric_limits<double>::epsilon() *
+           (std::fabs(at.x) + std::fabs(at.y) + reach);
+}
+
 constexpr std::uint64_t edge_mark = std::uint64_t{1} << 32;
 
 }  // namespace
@@ -117,6 +133,7 @@ Promise promise_of(SolverKind solver) {
             return {.energy = 1e-3, .overlap = 1e-3, .keeps_sides = true, .moves = true};
         case SolverKind::contact:
             return {.energy = 1e-2,
+                    .counts_heights = true,
                     .overlap = 0.75,
                     .lifts_overlaps = true,
                     .keeps_sides = true,
@@ -151,7 +168,8 @@ InvariantCheck::InvariantCheck(const Scene& scene, SolverKind solver)
                 outlines_.push_back({id, world.capsules().shape[*index]});
     escaped_ = escape_.escaped(world);
     baseline_ = energy_of(world);
-    scale_ = kinetic_energy_of(world);
+    ground_ = lowest_potential(world);
+    scale_ = energy_in_play(world);
     exempt_deep_pairs(world);
     remember(world);
 }
@@ -241,6 +259,15 @@ std::optional<Breach> InvariantCheck::check_finite(const World& world) const {
     return std::nullopt;
 }
 
+double InvariantCheck::energy_in_play(const World& world) const {
+    double sum = kinetic_energy_of(world);
+    if (!promise_.counts_heights || !world.model().gravity || world.model().cloth) return sum;
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        sum += std::max(0.0, -dot(*world.model().gravity, world.balls().position[i]) - ground_) /
+               world.balls().inverse_mass[i];
+    return sum;
+}
+
 // The most energy that movers may have given in the tick: for each contact, the impulse times the
 // velocity of the edge there, and at most that of friction along it. A ball leaves a mover with a
 // little speed of its own even if it came with none (laws/bounce.h).
@@ -280,7 +307,7 @@ double InvariantCheck::most_work_of_movers(const World& world,
 std::optional<Breach> InvariantCheck::check_energy(const World& world,
                                                    std::span<const Contact> contacts) {
     const double energy = energy_of(world);
-    scale_ = std::max(scale_, kinetic_energy_of(world));
+    scale_ = std::max(scale_, energy_in_play(world));
     // A ball may appear and be removed within the tick, and meet another one in between.
     if (!promise_.energy || ids_ != world.balls().id || next_ball_ != world.next_ball()) {
         baseline_ = energy;
@@ -364,8 +391,10 @@ void InvariantCheck::for_each_overlap(const World& world, Visit&& visit) const {
                 offset.x -= wide * std::round(offset.x / wide);
                 offset.y -= high * std::round(offset.y / high);
             }
-            const double depth = balls.radius[i] + balls.radius[j] - length(offset);
-            if (!(depth > 0.0) || is_held(world, balls.id[i]) || is_held(world, balls.id[j]) ||
+            const double reach = balls.radius[i] + balls.radius[j];
+            const double depth = reach - length(offset);
+            if (!(depth > rounding_of_depth(balls.position[i], reach)) ||
+                is_held(world, balls.id[i]) || is_held(world, balls.id[j]) ||
                 (world.model().filtered && !kinds_meet(world, balls.kind[i], balls.kind[j])))
                 continue;
             const std::uint32_t a = std::min(i, j);
@@ -385,9 +414,10 @@ void InvariantCheck::for_each_overlap(const World& world, Visit&& visit) const {
                                            [&](std::uint32_t i) { return balls.position[i].x; });
         for (; at != order_.end() && balls.position[*at].x <= high; ++at) {
             const std::uint32_t i = *at;
-            const double depth =
-                balls.radius[i] + edge.radius - distance_to_segment(balls.position[i], edge);
-            if (!(depth > 0.0) || !is_wall(world, e, balls.kind[i]) || is_held(world, balls.id[i]))
+            const double reach = balls.radius[i] + edge.radius;
+            const double depth = reach - distance_to_segment(balls.position[i], edge);
+            if (!(depth > rounding_of_depth(balls.position[i], reach)) ||
+                !is_wall(world, e, balls.kind[i]) || is_held(world, balls.id[i]))
                 continue;
             visit(Pair{number(balls.id[i]), edge_mark + number(edges.id[e])}, depth,
                   balls.radius[i], Breach{.ball = balls.id[i], .edge = edges.id[e]});

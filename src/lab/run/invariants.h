@@ -23,6 +23,9 @@ namespace carom {
 /// docs/accuracy.md measures their errors.
 struct Promise {
     std::optional<double> energy;  ///< largest gain, as a share of the largest energy in play
+    /// The energy in play is kinetic and potential, from the lowest ball at the start; else it is
+    /// kinetic.
+    bool counts_heights = false;
     /// The largest gain in ticks that begin with dense clusters, which `contact` steps
     /// (physics/event/hybrid_step.h).
     double energy_of_clustered = 0.0;
@@ -68,9 +71,10 @@ std::string text(const Breach& breach, double rate);
 ///             the way round an end compared with twice the ball's speed
 ///   escape    no ball is outside of an outline in which it started (EscapeWatch), as long as all
 ///             of the outlines' edges are where they were, and stop all balls from both sides
-///   overlap   no two bodies that collide overlap deeper than the solver promises. A pair that
-///             starts deeper, as under `use overlap`, is exempt until it has separated. Held,
-///             moving and one-way edges, held balls, and edges on a torus are not checked
+///   overlap   no two bodies that collide overlap deeper than the solver promises, and than the
+///             rounding of their coordinates. A pair that starts deeper, as under `use overlap`, is
+///             exempt until it has separated. Held, moving and one-way edges, held balls, and edges
+///             on a torus are not checked
 ///   time      the tick has advanced, and no ball that has a velocity has stayed exactly where it
 ///             was, unless the solver has reported that time stood still for a ball
 ///
@@ -95,6 +99,7 @@ class InvariantCheck {
 
     std::optional<Breach> check_finite(const World& world) const;
     std::optional<Breach> check_energy(const World& world, std::span<const Contact> contacts);
+    double energy_in_play(const World& world) const;
     double most_work_of_movers(const World& world, std::span<const Contact> contacts) const;
     std::optional<Breach> check_sides(const World& world) const;
     std::optional<Breach> check_overlap(const World& world);
@@ -125,6 +130,7 @@ class InvariantCheck {
     double baseline_ = 0.0;             // energy at the start, and what was added since
     double clustered_gain_ = 0.0;       // beyond baseline_, from hybrid steps
     bool is_hybrid_step_ = false;       // the tick begins with dense clusters
+    double ground_ = 0.0;               // potential for each unit of mass, of the lowest ball
     double scale_ = 0.0;                // the largest energy in play
     std::vector<Pair> exempt_;          // pairs that started too deep, ascending
 };
