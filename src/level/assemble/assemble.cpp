@@ -55,7 +55,7 @@ class Assembly {
             check_start(balls_, names_, context_);
         else
             check_start(present_balls(), names_, context_);
-        check_precision(balls_, rate(), context_);
+        check_precision(balls_, names_, rate(), context_);
         PinballAssembly table(names_, context_);
         table.collect_devices();
         RuleAssembly rules(table, names_, balls_, context_);

@@ -130,36 +130,51 @@ bool is_lost(double coordinate, double velocity, double speed, double tick) {
            coordinate + velocity * tick == coordinate;
 }
 
+std::string text_of_length(double value, const Context& context) {
+    return fmt::format("{}{}", written(value, Measure::length, context.unit), symbol(context.unit));
+}
+
+// Reports an error if doubles are too coarse for a ball of this radius there.
+bool reports_coarse(Vec2 at, double radius, const Origin& origin, Context& context) {
+    constexpr double least_share = 1.0 / 64.0;
+    const double farthest = std::max(std::abs(at.x), std::abs(at.y));
+    const double spacing = spacing_at(farthest);
+    if (!(spacing > least_share * radius)) return false;
+    const auto length_text = [&](double value) { return text_of_length(value, context); };
+    context.reporter.error(
+        "coordinates-too-coarse", origin.span(),
+        fmt::format("numbers near {} are {} apart: too coarse for a ball of radius {}",
+                    length_text(farthest), length_text(spacing), length_text(radius)),
+        "move the scene closer to 0,0");
+    return true;
+}
+
 }  // namespace
 
-void check_precision(const std::vector<StartingBall>& balls, double rate, Context& context) {
-    constexpr double least_share = 1.0 / 64.0;
+void check_precision(const std::vector<StartingBall>& balls, const ResolvedNames& names,
+                     double rate, Context& context) {
     const double tick = 1.0 / rate;
-    const auto length_text = [&](double value) {
-        return fmt::format("{}{}", written(value, Measure::length, context.unit),
-                           symbol(context.unit));
-    };
+    for (std::size_t i = 0; i < context.ir.emitters.size(); ++i) {
+        const EmitterIr& spec = context.ir.emitters[i];
+        if (!names.emitters[i].is_valid) continue;
+        const double radius = names.kinds[names.emitters[i].kind].radius;
+        if (reports_coarse(spec.emitter.at, radius, spec.origin, context)) return;
+    }
     for (const StartingBall& ball : balls) {
         const Vec2 at = ball.position;
-        const double farthest = std::max(std::abs(at.x), std::abs(at.y));
-        const double spacing = spacing_at(farthest);
-        if (spacing > least_share * ball.radius) {
-            context.reporter.error(
-                "coordinates-too-coarse", ball.origin.span(),
-                fmt::format("numbers near {} are {} apart: too coarse for a ball of radius {}",
-                            length_text(farthest), length_text(spacing), length_text(ball.radius)),
-                "move the scene closer to 0,0");
-            return;
-        }
+        if (reports_coarse(at, ball.radius, ball.origin, context)) return;
         const double speed = length(ball.velocity);
         if (!is_lost(at.x, ball.velocity.x, speed, tick) &&
             !is_lost(at.y, ball.velocity.y, speed, tick))
             continue;
+        const double farthest = std::max(std::abs(at.x), std::abs(at.y));
+        const auto length_text = [&](double value) { return text_of_length(value, context); };
         context.reporter.warning(
             "motion-lost-in-rounding", ball.origin.span(),
             fmt::format("what the ball travels in a tick, {}, is lost in rounding: numbers near "
                         "{} are {} apart",
-                        length_text(speed * tick), length_text(farthest), length_text(spacing)),
+                        length_text(speed * tick), length_text(farthest),
+                        length_text(spacing_at(farthest))),
             "move the scene closer to 0,0, or take longer ticks: rate");
         return;
     }

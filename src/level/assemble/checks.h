@@ -28,10 +28,11 @@ void check_crowd(const ResolvedNames& names, Context& context);
 /// lacks.
 void check_terms(Context& context);
 
-/// Reports an error if doubles are too coarse at the place of a ball: their spacing exceeds 1/64 of
-/// its radius. Warns if its motion in a tick is lost in rounding. One report for the level. `rate`
-/// is in ticks a second.
-void check_precision(const std::vector<StartingBall>& balls, double rate, Context& context);
+/// Reports an error if doubles are too coarse at the place of a ball or of an emitter: their
+/// spacing exceeds 1/64 of the ball's radius. Warns if its motion in a tick is lost in rounding.
+/// One report for the level. `rate` is in ticks a second.
+void check_precision(const std::vector<StartingBall>& balls, const ResolvedNames& names,
+                     double rate, Context& context);
 
 /// Warns of gaps between edges that are too narrow for the smallest ball. A level without balls has
 /// no such gaps, and edges that move are left out. Bounded work: gives up with a warning after 4
