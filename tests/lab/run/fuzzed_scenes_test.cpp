@@ -78,7 +78,7 @@ TEST_CASE("fuzzed scenes that have broken an invariant no longer do") {
         check_scene(fuzzed, path.stem().string());
         ++scenes;
     }
-    CHECK(scenes >= 29);
+    CHECK(scenes >= 34);
 }
 
 TEST_SUITE("long") {
