@@ -192,6 +192,10 @@ void PinballController::add_status(const PlayContext& play, HudInfo& info) const
                                 100.0 * pull);
         return;
     }
+    if (is_over(play.session)) {
+        info.goal = "GAME OVER";
+        return;
+    }
     if (!has_flippers(play.session.scene())) return;
     const std::string mouse = play.terminal.mouse_is_off ? "" : ", or mouse buttons";
     info.game = fmt::format("Flippers: {} and {}{}.  {}  {}: mode", play.keys.hint("left-flipper"),
@@ -216,6 +220,12 @@ void PinballController::add_hints(const PlayContext& play, std::vector<KeyHelp>&
         }
         if (!keys.empty()) hints.push_back({keys, std::move(what)});
     };
+    if (is_over(play.session)) {
+        hint({"plunger"}, "start a game");
+        hint({"keep-recording"}, "keep a recording");
+        hint({"demo"}, is_demonstrating() ? "play yourself" : "watch carom play");
+        return;
+    }
     if (has_flippers(scene)) hint({"left-flipper", "right-flipper"}, "flippers");
     if (has_button(scene, Button::plunger)) hint({"plunger"}, "hold: plunger");
     if (has_button(scene, Button::nudge_up))

@@ -39,7 +39,9 @@ bool change_speed(PoolController& table, PlayContext& play, int direction) {
 }
 
 bool move_tip(PoolController& table, const PlayContext& play, int side, int follow) {
-    if (!table.is_aiming(play) || play.pointer.shows_cursor) return false;
+    // Under rules these keys move nothing else, so that a late press does not shift the table.
+    if (!table.is_aiming(play)) return has_turns(play.session) && keeps_cue(play);
+    if (play.pointer.shows_cursor) return false;
     table.aim().move_tip(side * tip_step, follow * tip_step);
     return true;
 }
@@ -72,14 +74,14 @@ bool give_up_stroke(PoolController& table, PlayContext& play) {
 
 bool edit_nothing(PlayContext& play) {
     if (!has_turns(play.session)) return false;
-    say(play, pool_of(play.session) ? "only the cue moves balls here; pool-table has no rules"
-                                    : "only the cue moves balls in this game");
+    say(play, pool_of(play.session) ? "Only the cue moves balls here. pool-table has no rules."
+                                    : "Only the cue moves balls in this game.");
     return true;
 }
 
 bool explain_cue(const PoolController& table, PlayContext& play) {
     if (!table.aims_with_keys(play) && !has_turns(play.session)) return false;
-    say(play, "Arrows aim, enter shoots; or drag with the right button.");
+    say(play, "Arrows aim, enter shoots; or pull the cue with the mouse.");
     return true;
 }
 
@@ -125,7 +127,7 @@ void place_cue_ball(PoolController& table, PlayContext& play) {
     pointer.at = world.balls().position[*index_of(world, ball)];
     pointer.tool.grab_to_place(world, ball, pointer.at);
     pointer.shows_cursor = true;
-    say(play, "Move the ball with the arrows; p or enter puts it down.");
+    say(play, "Move the ball with the arrows or the mouse; enter puts it down.");
 }
 
 void rack_again(const PoolController& table, PlayContext& play) {
@@ -191,7 +193,8 @@ void open_record(PlayContext& play) {
 }
 
 void ask_coach(PoolController& table, PlayContext& play) {
-    if (table.players().is_match(play.session)) return say(play, "There is no coach in a match.");
+    if (table.players().is_match(play.session))
+        return say(play, "There is no coach when it is for real.");
     if (!pool_of(play.session) || !table.is_aiming(play))
         return say(play, "The coach speaks when it is your turn.");
     table.coach().ask();
@@ -203,6 +206,7 @@ void undo_shot(PoolController& table, PlayContext& play) {
     if (players.is_match(play.session)) return say(play, "No shot can be undone in a match.");
     players.hesitate();
     if (!undo(play)) return;
+    say(play, "Undone.");
     while (players.is_opponents_turn(play.session) && play.session.undo()) {
     }
     set_reference(play);

@@ -81,6 +81,12 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
         hints.push_back({play.keys.hint("menu"), "cancel"});
         return;
     }
+    if (play.pointer.shows_cursor && play.pointer.tool.has_ball()) {
+        hints.push_back({"arrows", "move the ball"});
+        hints.push_back({play.keys.hint("grab"), "put it down"});
+        return;
+    }
+    if (!play.pointer.tool.is_empty() || play.pointer.shows_cursor) return;
     const auto hint = [&](std::string_view action_name, std::string_view what) {
         const std::string keys = play.keys.hint(action_name);
         if (!keys.empty()) hints.push_back({keys, std::string(what)});
@@ -95,28 +101,32 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     }
     if (pool && pool->rules.phase == PoolPhase::over)
         hint("grab", match_winner(*pool) ? "the next match" : "the next frame");
+    const bool is_over = pool && pool->rules.phase == PoolPhase::over;
     const ShotsState* const shots = shots_of(play.session);
     if (shots && shots->is_over) hint("grab", "a new game");
+    if (is_over || (shots && shots->is_over)) hint("keep-recording", "keep a recording");
     if (are_rolling(play)) return hint("to-rest", "skip until they rest");
     if (stroke_.meter()) {
         hint("grab", "strike");
-        hint("menu", "No stroke.");
+        hint("menu", "no stroke");
     }
     if (!is_aiming(play)) return;
     const bool in_match = players_.is_match(play.session);
     hint("grab", in_match ? "stroke, and again: strike" : "shoot");
+    const bool is_new = pool ? !pool->shooter : !shots || shots->shots == 0 || shots->is_over;
+    if (pool && is_new && !in_match) hint("opponent", "opponent");
     if (aim_.may_choose(play.session)) hint("next-ball", "next of your balls");
     hints.push_back({"arrows", "aim, power"});
     hints.push_back({"shift-arrows", "tip"});
+    if (!play.terminal.mouse_is_off) hints.push_back({"pull the cue", "shoot"});
     if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
     const bool has_pockets = !play.session.scene().pool.pockets.empty();
     hint("next-pot", in_match || !has_pockets ? "next ball" : "next pot");
-    const bool is_new = pool ? !pool->shooter : !shots || shots->shots == 0 || shots->is_over;
     if (shots && is_new) hint("opponent", in_match ? "practice" : "for real");
     if (in_match) return;
     hint("aids", "lines");
     if (pool) hint("coach", "coach");
-    if (pool && players_.opponent() == 0) hint("opponent", "opponent");
+    if (pool && players_.opponent() == 0 && !is_new) hint("opponent", "opponent");
 }
 
 }  // namespace carom

@@ -48,7 +48,7 @@ PlayRequest Player::handle(const InputEvent& event) {
     if (event.kind != InputEvent::Kind::key || event.action == InputEvent::Action::release)
         return PlayRequest::none;
     const Action* const action = play_.keys.action_of(key_of(event));
-    if (play_.page.is_open() && !(action && action->name == "quit")) {
+    if (play_.page.is_open()) {
         turn_page(event, action);
         return PlayRequest::none;
     }

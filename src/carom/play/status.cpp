@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "carom/context/solver_choice.h"
+#include "carom/pool/pool_status.h"
 #include "game/session/conserved.h"
 #include "lab/run/judge.h"
 #include "lab/run/report.h"
@@ -34,9 +36,11 @@ struct Hints {
     const KeyMap& keys;
     std::vector<KeyHelp> lines;
 
+    /// A key that has a hint already does something else now.
     void add(std::string_view action_name, std::string_view what) {
         const std::string key = keys.hint(action_name);
-        if (!key.empty()) lines.push_back({key, std::string(what)});
+        const bool has_hint = std::ranges::count(lines, key, &KeyHelp::keys) > 0;
+        if (!key.empty() && !has_hint) lines.push_back({key, std::string(what)});
     }
 };
 
@@ -54,7 +58,7 @@ void add_first_hints(const PlayContext& play, Hints& hints) {
         hints.add("slower", "thinner");
         hints.add("menu", "cancel");
     } else if (!tool.is_empty()) {
-        hints.add("grab", "release");
+        if (hints.lines.empty()) hints.add("grab", "release");
         hints.add("pause", is_paused ? "resume" : "pause");
     } else if (is_paused) {
         hints.add("pause", "resume");
@@ -164,7 +168,8 @@ HudInfo status_of(const PlayContext& play) {
     HudInfo info;
     info.title = play.session.scene().title;
     info.goal = task_text(play.session.scene(), play.session.world(), play.session.game());
-    if (info.goal.empty()) info.goal = play.words.goal;
+    // At a table of shots the title says how far the task is (pool/pool_status.h).
+    if (info.goal.empty() || shots_of(play.session)) info.goal = play.words.goal;
     info.is_game = is_game(play);
     info.solver = solver_text(play.session.solver());
     info.solver_is_picked = play.solver_is_picked;

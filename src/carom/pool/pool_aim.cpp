@@ -206,7 +206,7 @@ Aids PoolAim::shown_aids() const {
 std::string PoolAim::next_target(const Session& session, bool backwards) {
     const auto cue = cue_ball(session);
     const std::vector<BallId> balls = targets(session);
-    if (!cue || balls.empty()) return "there is no ball to aim at";
+    if (!cue || balls.empty()) return "There is no ball to aim at.";
     pot_ = pot_text_.empty() ? (backwards ? balls.size() - 1 : 0)
                              : (pot_ + (backwards ? balls.size() - 1 : 1)) % balls.size();
     const BallId ball = balls[pot_ % balls.size()];
@@ -214,21 +214,21 @@ std::string PoolAim::next_target(const Session& session, bool backwards) {
     has_aimed_ = true;
     const PoolPlay* game = play(session);
     const auto number = game ? number_of(*game, ball) : std::nullopt;
-    return pot_text_ = "full at " + (number ? game->rules.referee->ball_name(*number) : "the ball");
+    return pot_text_ = "Full at " + (number ? game->rules.referee->ball_name(*number) : "the ball");
 }
 
 std::string PoolAim::next_pot(const Session& session, bool backwards) {
     if (is_match_ || session.scene().pool.pockets.empty()) return next_target(session, backwards);
     const auto cloth = cloth_box(session.scene());
     const auto cue = cue_ball(session);
-    if (!cloth || !cue) return "there are no pockets here";
+    if (!cloth || !cue) return "There are no pockets here.";
     const World& world = session.world();
     const PoolPlay* const game = play(session);
     const auto lines = game ? useful_lines(session.scene(), world, *game, *cloth,
                                            place_of(world, *cue), targets(session))
                             : pot_lines(session.scene(), world, *cloth, *cue, place_of(world, *cue),
                                         targets(session));
-    if (lines.empty()) return "no ball lies free to a pocket";
+    if (lines.empty()) return "No ball lies free to a pocket.";
     if (pot_text_.empty())
         pot_ = backwards ? lines.size() - 1 : 0;
     else
@@ -268,7 +268,7 @@ void PoolAim::take(const Session& session, const CandidateShot& candidate) {
 }
 
 std::string PoolAim::next_aids() {
-    if (is_match_) return "a match shows the ghost ball only";
+    if (is_match_) return "For real, only the ghost ball is shown.";
     constexpr std::string_view texts[] = {"aid: off", "aid: ghost ball and lines",
                                           "aid: the whole shot",
                                           "aid: dots are 20 imperfect shots"};

@@ -33,10 +33,13 @@ void add_pool_title(const Session& session, const PlayerNames& names,
     if (!has_turns(session)) return;
     info.title_comes_first = true;
     if (!pool) {
-        info.title = turn_text(session.scene(), *shots_of(session));
-        const std::string task = task_text(session.scene(), session.world(), *shots_of(session));
+        const ShotsState& shots = *shots_of(session);
+        info.name = session.scene().title;
+        info.title = turn_text(session.scene(), shots);
+        const std::string task = task_text(session.scene(), session.world(), shots);
+        // How the game ended says more than that it has.
+        if (shots.is_over && !task.empty() && info.title == "the game is over") info.title.clear();
         if (!task.empty()) info.title += (info.title.empty() ? "" : "   ") + task;
-        info.goal.clear();  // the title has it
         return;
     }
     info.title = turn_text(*pool, names) + (time_left ? ", " + clock_text(*time_left) : "");

@@ -147,7 +147,7 @@ std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
     std::string frames;
     if (play.race > 0 || play.frames != std::array<std::uint32_t, 2>{})
         frames = fmt::format("{}:{}{} ", play.frames[0], play.frames[1],
-                             play.race > 0 ? fmt::format(" to {},", play.race) : "");
+                             play.race > 0 ? fmt::format(" (race to {}),", play.race) : "");
     if (!points.empty()) frames += fmt::format("({}) ", points);
     if (rules.winner) return frames + win_text(play, names);
     const std::string warning = is_warned(rules) && !play.is_shooting

@@ -83,8 +83,13 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<HudField> field
                                 : 0;
     fields = fitting_fields(std::move(fields),
                             columns - 2 - (least_title > 0 ? least_title + hud_field_gap : 0));
-    const int room = columns - 2 - width_of(fields) - hud_field_gap;
+    int room = columns - 2 - width_of(fields) - hud_field_gap;
     int column = 1;
+    const int name = columns_of(info.name) + hud_field_gap;
+    if (!info.name.empty() && name + columns_of(info.title) <= room) {
+        column = bar.write(column, info.name, ink_of(Role::faint, bar.look)) + hud_field_gap;
+        room -= name;
+    }
     if (room >= 4 && !info.title.empty()) {
         const std::string_view title = cut_to(info.title, room);
         column = bar.write(column, title, ink_of(Role::strong, bar.look)) + hud_field_gap;

@@ -56,8 +56,13 @@ struct Tab {
     int columns;
 };
 
-// Tabs that do not fit are left out from the far end, but never the open one.
+// Tabs stand closer where that makes room for all. Those that still do not fit are left out from
+// the far end, but never the open one.
 std::vector<Tab> tabs_of(const MenuPage& page, int columns) {
+    int all = 0;
+    for (const std::string& group : page.groups)
+        all += columns_of(group) + 3;
+    const int gap = all - 1 <= columns ? 1 : 0;
     std::size_t first = 0;
     for (;; ++first) {
         std::vector<Tab> tabs;
@@ -66,7 +71,7 @@ std::vector<Tab> tabs_of(const MenuPage& page, int columns) {
             const int width = columns_of(page.groups[i]) + 2;
             if (column + width > columns) break;
             tabs.push_back({i, column, width});
-            column += width + 1;
+            column += width + gap;
         }
         const bool has_open = !tabs.empty() && tabs.back().group >= page.group;
         if (has_open || first >= page.group || first + 1 >= page.groups.size()) return tabs;
@@ -102,6 +107,10 @@ void draw_tabs(Canvas& canvas, const MenuPage& page, const Look& look) {
         write(canvas, tab.column, 1, " " + page.groups[tab.group] + " ",
               ink_of(is_open ? Role::strong : Role::text, look), is_open ? reverse : plain);
     }
+    const std::vector<Tab> tabs = tabs_of(page, canvas.columns());
+    const bool has_more = !tabs.empty() && tabs.back().group + 1 < page.groups.size();
+    if (has_more && tabs.back().column + tabs.back().columns < canvas.columns())
+        write(canvas, canvas.columns() - 1, 1, look.utf8 ? "›" : ">", ink_of(Role::faint, look));
     const std::string_view line = look.utf8 ? "─" : "-";
     for (int column = 0; column < canvas.columns(); ++column)
         write(canvas, column, 2, line, ink_of(Role::faint, look));

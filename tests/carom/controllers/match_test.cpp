@@ -37,7 +37,7 @@ void break_off(Running& running) {
 // The status of the match: whose turn it is, and the time left.
 std::string title_of(Running& running) {
     const std::string screen = running.look();
-    const std::size_t at = screen.find("0:0 to 3, ");
+    const std::size_t at = screen.find("0:0 (race to 3), ");
     REQUIRE(at != std::string::npos);
     return screen.substr(at, std::min(screen.find("  ", at), screen.find('\n', at)) - at);
 }

@@ -224,6 +224,35 @@ TEST_CASE("an undone shot and another try begin with the aim of the shot before"
     CHECK(at_drill.sees("2.20 m/s"));
 }
 
+TEST_CASE("after a game of shots the arrows leave the table in place, and the end is told") {
+    test::PersonAtWindow person(session_of("puzzle-01"), 80, 24);
+    CHECK(person.sees("Straight in"));
+    CHECK(person.sees("Clear the table. (0 of"));
+    person.key(key::enter);
+    for (int i = 0; i < 60 * 60 && !person.sees("Done in 1 shot"); ++i)
+        person.player.advance(1.0 / 10.0, always);
+    CHECK(person.sees("Done in 1 shot: 3 of 3 stars"));
+    CHECK_FALSE(person.sees("the game is over"));
+    CHECK(person.sees("W keep a recording"));
+    const Vec2 before = person.player.camera().center;
+    person.key(key::down, shift);
+    person.key(key::right, shift);
+    person.look();
+    CHECK(person.player.camera().center == before);
+}
+
+TEST_CASE("while the ball in hand is placed the hints say so") {
+    Person person("eight-ball");
+    CHECK(person.sees("O opponent"));
+    person.key(U'p');
+    CHECK(person.sees("arrows move the ball"));
+    CHECK(person.sees("enter put it down"));
+    CHECK_FALSE(person.sees("enter shoot"));
+    person.key(key::enter);
+    CHECK(person.sees("enter shoot"));
+    CHECK(person.sees("pull the cue shoot"));
+}
+
 TEST_CASE("the aim calls the ball that it pockets, and a key calls a safety") {
     Person person("eight-ball");
     person.key(key::enter);
@@ -341,11 +370,11 @@ TEST_CASE("in a match nothing of the outcome is shown, and there is no help") {
     if (person.play().rules.player != 0) return;
     CHECK(dots() < practice);
     person.key(U'A');
-    CHECK(person.sees("ghost ball only"));
+    CHECK(person.sees("only the ghost ball"));
     person.key(U'C');
-    CHECK(person.sees("no coach in a match"));
+    CHECK(person.sees("no coach when it is for real"));
     person.key(U'}');
-    CHECK(person.sees("full at the"));
+    CHECK(person.sees("Full at the"));
     // From the past nothing is shot.
     person.key(U',');
     person.key(key::enter);

@@ -346,6 +346,8 @@ TEST_CASE("help lists the keys and scrolls, and any other key goes back") {
     CHECK(person.sees("Busy box"));
     CHECK(person.world().balls().size() == 9);
     person.key(U'?');
+    CHECK(person.key(U'q') == PlayRequest::none);
+    CHECK(person.sees("Busy box"));
     CHECK(person.key(U'q') == PlayRequest::quit);
 }
 

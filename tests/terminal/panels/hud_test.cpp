@@ -143,6 +143,17 @@ TEST_CASE("a title with the state of a game precedes all but the state of play")
     CHECK(drawn(info, 120, 24).find("37 s  > x1         12.345 s  swept") != std::string::npos);
 }
 
+TEST_CASE("the name of a level comes before the state of its game, where both fit") {
+    HudInfo info = galton();
+    info.title_comes_first = true;
+    info.title = "Clear the table. (0 of 3 shots)";
+    info.is_game = true;
+    info.name = "A thin slice";
+    CHECK(drawn(info, 80, 24).find(" A thin slice  Clear the table.") != std::string::npos);
+    CHECK(drawn(info, 40, 24).find("slice") == std::string::npos);
+    CHECK(drawn(info, 40, 24).find(" Clear the table.") != std::string::npos);
+}
+
 TEST_CASE("no line is ever longer than the window") {
     HudInfo info = galton();
     info.title = std::string(500, 'x');

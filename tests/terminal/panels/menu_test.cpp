@@ -128,6 +128,17 @@ TEST_CASE("the mouse opens a group by its tab, and the open tab is always there"
     }
 }
 
+TEST_CASE("at 80 columns all groups have a tab, also with unfinished games") {
+    MenuPage all = page();
+    all.groups = {"Unfinished",  "Play", "Challenge",  "Puzzles",
+                  "Pool school", "Toys", "Laboratory", "Yours"};
+    bool is_seen = false;
+    for (int column = 0; column < 80; ++column)
+        is_seen = is_seen || menu_group_at(80, all, column, 1) == 7;
+    CHECK(is_seen);
+    CHECK_FALSE(menu_group_at(80, all, 0, 1) == 7);
+}
+
 TEST_CASE("found 11: at 80x24 there is room for a picture of the level") {
     const CellArea area = menu_picture_area(80, 24, page());
     CHECK(area.rows >= 12);
