@@ -43,8 +43,7 @@ namespace carom {
 /// most `most_pushed` balls, there are no clusters, since `event` lets nothing overlap.
 class HybridCluster {
   public:
-    /// Whether the next tick needs a hybrid step. Pre: the model has gravity, losses and collisions
-    /// of balls.
+    /// Whether the next tick needs a hybrid step. Pre: uses_hybrid_step (physics/solver.h).
     static bool is_needed(const World& world);
 
     static constexpr double most_overlap = 1e-5;

@@ -21,7 +21,8 @@ namespace carom {
 /// `contact` steps the cluster in a world that holds only the cluster and the edges; `event`
 /// advances all other balls on their exact trajectories in a world without it. If an impact takes a
 /// ball further than its reach, and that adds balls to the cluster, the tick is repeated. After
-/// `most_attempts`, `contact` steps all balls, and all exact trajectories are dropped.
+/// `most_attempts`, and where everything belongs to the cluster, `contact` steps all balls, and all
+/// exact trajectories are dropped.
 ///
 /// In the cluster the guarantees of `contact` hold: no tunnelling, elastic impacts that conserve
 /// energy, a small overlap under pressure that shrinks with more substeps, and a result that
@@ -30,10 +31,13 @@ namespace carom {
 class HybridStep {
   public:
     /// Substeps of `contact` in a tick: the fewest of 4, 8 and 16 in which a ball of the smallest
-    /// radius falls from rest by at most `most_fall` of it, or else 16.
+    /// radius falls from rest by at most `most_fall` of it, or else 16. `most_fall` x10: piles
+    /// overlap more; /10: hybrid steps cost up to four times as much.
     static constexpr int least_substeps = 4;
     static constexpr int most_substeps = 16;
     static constexpr double most_fall = 1.0 / 2048.0;
+    /// How often a tick is computed. More: a tick may cost as much more; fewer: exact trajectories
+    /// are lost more often.
     static constexpr int most_attempts = 4;
 
     /// Advances by one tick a world that needs a hybrid step (HybridCluster::is_needed).

@@ -82,7 +82,9 @@ struct Balls {
     std::size_t size() const { return id.size(); }
 
     /// A column: the vector, whether a scene uses it (it is empty otherwise), its value for a new
-    /// ball, and how a value is written into a spec; null where a spec does not have it.
+    /// ball, and how a value is written into a spec; null where a spec does not have it. Code that
+    /// sets a term of the model while there are balls fills the columns that the term brings, as
+    /// `become_inelastic` does.
     template <typename Value>
     struct Column {
         std::string_view name;
@@ -94,7 +96,7 @@ struct Balls {
 
     /// Calls visit(column) for every column, always in the same order. This is the one list of
     /// columns: adding, removing, copying, undo, the hybrid step, fingerprint and snapshot sizes
-    /// all come from it. A new column goes last.
+    /// all come from it. A new column goes last: fingerprints tell old columns by their place.
     template <typename Visit>
     static constexpr void for_each_column(Visit&& visit);
 };

@@ -15,7 +15,9 @@ namespace carom {
 /// and its targets, and most of the solver memory.
 /// Version 2 covers all columns of balls and edges, so also the kind (with its layer) and the
 /// restitution of a ball, and the material and the side of an edge; while something is held,
-/// World::hands; and all of the solver memory except StoredTrajectories::obstacles.
+/// World::hands; and all of the solver memory except StoredTrajectories::obstacles. A column that
+/// is younger than version 2 is covered where it is in use, so other worlds keep their
+/// fingerprints.
 ///
 /// docs/determinism.md says when to raise it.
 inline constexpr int fingerprint_version = 2;

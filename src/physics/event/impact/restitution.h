@@ -8,24 +8,34 @@ namespace carom {
 /// (laws/contact_material.h), but for the rules by which bodies come to rest and collapse stays
 /// finite.
 ///
-///   pair                                    rebound rises less than       restitution
-///   ball pressed by gravity on an edge      rest_height                   0: it rests
-///   ball pressed on a resting ball          rest_height                   0: it rests
-///   two moving balls, pressed together      moving_rest_height            1: nothing more is lost
-///   ball and edge pressed by cloth          rest_height                   0
-///   two balls pressed by cloth              cloth_rest_height             1
-///   ball and kinematic body, by cloth       2 moving_rest_height          1
-///   two balls with more than most_recent_collisions each                0
-///   such a ball and an edge, without gravity                              0
-///   ball against a held ball                always                        laws/bounce.h
-///   kinematic edge that approaches          always                        laws/bounce.h
-///   ball on a seesaw, under gravity         moving_rest_height            1: nothing more is lost
-///   seesaw and its stop                     never                         that of the stop
+/// The first row that applies decides. Heights are shares of the smaller radius (tolerances.h): the
+/// rebound would rise less.
 ///
-/// "Pressed" refers to the relative acceleration along the normal. Heights are shares of the
-/// smaller radius (tolerances.h). Rules with a height apply only if no other contact point of the
-/// impact approaches. Counts of collisions (collapse_guard.h) matter only for a restitution
-/// below 1.
+///   contact                     if                                        restitution
+///   seesaw and its stop         the seesaw comes to it                    that of the stop
+///                               the stop only holds it against a load     1
+///   ball on a seesaw            gravity, moving_rest_height               1: nothing more is lost
+///   ball against a held ball                                              laws/bounce.h
+///   two balls                   more than most_recent_collisions each     0 *
+///   driven edge                                                           laws/bounce.h
+///   held edge that approaches   2 rest_height, of a bounce at 1 (on       1: it is found again
+///                               cloth 2 moving_rest_height)
+///                               else                                      laws/bounce.h
+///   ball and edge               such a ball, no gravity                   0 *
+///   ball pressed on an edge     rest_height                               0: it rests
+///   ball on a resting ball      rest_height                               0: it rests
+///   two moving balls            moving_rest_height                        1: nothing more is lost
+///
+/// Where cloth presses the two together, these come before all but seesaws:
+///
+///   ball and kinematic body     2 moving_rest_height, of a bounce at 1    1
+///   two balls                   cloth_rest_height                         1
+///   ball and edge               rest_height                               0
+///
+/// The last three rows of the first table need gravity that presses the bodies together, by their
+/// relative acceleration along the normal. These three and those on cloth apply only if no other
+/// contact point of the impact approaches. Counts of collisions (*, collapse_guard.h) matter only
+/// for a restitution below 1.
 template <typename Real>
 class Restitution {
   public:

@@ -14,8 +14,8 @@
 /// Writers:
 ///
 ///   line, curve, version      Trajectories starts them. RestingContact, ClothPhases, Transitions
-///                             and CollapseGuard choose the motion of one that has just started.
-///                             WorldSync restores stored ones; EventEngine, when time stands still
+///                             and CollapseGuard choose the motion of one that has just started;
+///                             Standstill keeps its count and roll. WorldSync restores stored ones
 ///   image in line             BallCells
 ///   next, CellPlace           BallCells
 ///   next event, collision     Predictor

@@ -12,7 +12,7 @@ namespace carom {
 enum class EventKind : std::uint8_t {
     ball_ball,       ///< impact with another ball
     ball_edge,       ///< impact with an edge that nothing moves
-    kinematic_edge,  ///< impact with an edge that a player or a solenoid moves
+    kinematic_edge,  ///< impact with one of KinematicBodies::edges: held, driven, or a seesaw's
     transition,      ///< the ball's motion changes by itself: see transitions.h
     cell_transfer,   ///< bookkeeping: see namespace cell_transfer
     none,
@@ -44,8 +44,8 @@ template <typename Real>
 struct alignas(8) BallEvent {  // aligned on every machine, for assign_if
     Real time{};               ///< s
     EventKind kind = EventKind::none;
-    std::int8_t across =
-        0;  ///< periodic image of the other that is met, relative to its trajectory
+    /// Periodic image of the other that is met, relative to its trajectory.
+    std::int8_t across = 0;
     std::int8_t along = 0;
     std::uint32_t other = 0;  ///< ball, capsule, index of a kinematic edge, or cell_transfer
     /// The other ball's version when this was predicted. If the ball has another by the time of the

@@ -20,7 +20,7 @@ enum class Motion : std::uint8_t {
     sliding,   ///< along the side of an edge
     turning,   ///< round an end of an edge, a peg or a ball that rests
     resting,   ///< does not move until it is hit or its support goes
-    held,      ///< kinematic: uniform, whatever acts on it
+    held,      ///< kinematic: uniform, whatever acts on it; also while time stands still for it
     slipping,  ///< on cloth, over which its lowest point slips
     rolling,   ///< on cloth
     still      ///< on cloth

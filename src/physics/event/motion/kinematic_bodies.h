@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// An edge that a player or a solenoid moves, or that of a seesaw.
+/// An edge that a player, a flipper or a mover moves, or that of a seesaw.
 template <typename Real>
 struct KinematicEdge {
     static constexpr std::uint32_t no_seesaw = 0xffffffffu;

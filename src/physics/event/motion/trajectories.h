@@ -26,8 +26,8 @@ struct SpinTrajectory {
 /// A trajectory starts at an event and holds until the ball's next one that changes it. Neither the
 /// end of a tick nor a cell transfer starts one, but for what README.md lists. Every start
 /// increments BallRecord::version, which voids all predictions that were made with the old
-/// trajectory. Two others set trajectories without that, and predict everything afterwards:
-/// WorldSync, when a tick rebuilds, and EventEngine, when time stands still.
+/// trajectory. WorldSync sets trajectories without that when a tick rebuilds, and everything is
+/// predicted afterwards.
 template <typename Real>
 class Trajectories {
   public:

@@ -11,7 +11,9 @@
 
 namespace carom {
 
-/// Something that a ball touches without an impact.
+/// Something that a ball touches without an impact: a fixed edge or a ball. No kinematic edge is
+/// one: a ball on it hops (driven_lift_height in laws/bounce.h, moving_rest_height on a seesaw), or
+/// belongs to a hybrid step.
 template <typename Real>
 struct Support {
     Vector<Real> normal;  ///< from it to the ball, unit
