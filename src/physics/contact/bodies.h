@@ -141,7 +141,7 @@ bool is_embedded(const ContactBodies& bodies, const ContactPair& pair);
 /// `strict_overlap`, or what the pair has.
 double soft_bound(const ContactSubstep& step, const ContactBodies& bodies, const ContactPair& pair);
 
-/// What a constraint with this impulse is to those who watch.
+/// The report of a constraint that passes this impulse.
 Contact contact_of(const ContactBodies& bodies, const ContactPair& pair, double time,
                    double impulse);
 

@@ -118,7 +118,7 @@ void ImpactCluster<Real>::add_kinematic_edge(std::uint32_t body, const Kinematic
     ContactPoint<Real> point;
     point.kind = EventKind::kinematic_edge;
     point.other = edge.capsule;
-    point.is_motorised = edge.is_motorised;
+    point.is_driven = edge.is_driven;
     point.gap = contact.gap;
     point.contact.a = body;
     point.contact.normal = contact.normal;

@@ -58,16 +58,13 @@ struct ContactPoint {
     ImpactContact<Real> contact;
     EventKind kind = EventKind::ball_ball;
     std::uint32_t other = 0;  ///< ball or capsule
-    bool is_motorised = false;
-    bool is_apart = false;  ///< no contact yet: it counts only for an impact that lasts
-    bool is_stop = false;   ///< of the seesaw that is body a
-    SupportId support;      ///< as which it would carry the body
-    Real gap{};             ///< length
-    /// Of a kinematic edge, length/s. Of a seesaw, its x: the lever arm, a length, of friction
-    /// along perpendicular(normal).
-    Vector<Real> surface_velocity;
-
-    const Real& side_lever() const { return surface_velocity.x; }
+    bool is_driven = false;
+    bool is_apart = false;          ///< no contact yet: it counts only for an impact that lasts
+    bool is_stop = false;           ///< of the seesaw that is body a
+    SupportId support;              ///< as which it would carry the body
+    Real gap{};                     ///< length
+    Vector<Real> surface_velocity;  ///< of a kinematic edge, length/s
+    Real side_lever{};              ///< of a seesaw: the arm of friction, length
 };
 
 /// The bodies and contact points that take part in an impact. The cluster starts with the two

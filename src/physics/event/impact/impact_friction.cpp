@@ -71,7 +71,7 @@ auto ImpactFriction<Real>::slip_of(const Contact& each) const -> Slip {
     };
     add(contact.a, Real(1.0));
     if (contact.is_hinged) {
-        const Real& lever = each.point->side_lever();
+        const Real& lever = each.point->side_lever;
         const ImpactBody<Real>& seesaw = cluster_.motion()[contact.b];
         slip.along -= lever * seesaw.velocity.x;
         slip.of_seesaw = lever * lever * seesaw.inverse_mass * Real(double(shares_[contact.b]));
@@ -133,7 +133,7 @@ void ImpactFriction<Real>::pass(const Contact& each, const Real& inertia) {
     turn(contact.a);
     if (contact.is_hinged) {
         ImpactBody<Real>& seesaw = cluster_.motion()[contact.b];
-        seesaw.velocity.x -= each.point->side_lever() * each.change * seesaw.inverse_mass;
+        seesaw.velocity.x -= each.point->side_lever * each.change * seesaw.inverse_mass;
         return;
     }
     if (contact.b == ImpactContact<Real>::fixed) return;

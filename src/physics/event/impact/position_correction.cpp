@@ -23,8 +23,8 @@ void PositionCorrection<Real>::apply(const Real& lost) {
 template <typename Real>
 void PositionCorrection<Real>::separate() {
     const bool on_cloth = scene_.world->model().cloth.has_value();
-    const Real allowed(on_cloth ? overlap_heights_on_cloth * cloth_rest_height
-                                : overlap_heights * moving_rest_height);
+    const Real bearable(on_cloth ? overlap_heights_on_cloth * cloth_rest_height
+                                 : overlap_heights * moving_rest_height);
     for (const ContactPoint<Real>& point : cluster_.contacts()) {
         if (point.kind == EventKind::kinematic_edge && on_cloth) {
             move_out_of(point);
@@ -32,22 +32,22 @@ void PositionCorrection<Real>::separate() {
         }
         if (point.kind != EventKind::ball_ball) continue;
         const Real small = cluster_.smaller_radius(point);
-        if (!(point.gap < -allowed * small)) continue;
+        if (!(point.gap < -bearable * small)) continue;
         const Real depth = std::min(-point.gap, Real(most_correction) * small);
         const Vector<Real>& normal = point.contact.normal;
-        const Way ours = way_of(point.contact.a, normal * depth);
-        const Way theirs = way_of(point.contact.b, -normal * depth);
-        const auto gain_of = [&](const Way& way, const Real& side) {
-            return way.inverse_mass * (side * dot(way.displacement, normal) / depth);
+        const Allowed ours = allowed(point.contact.a, normal * depth);
+        const Allowed theirs = allowed(point.contact.b, -normal * depth);
+        const auto gain_of = [&](const Allowed& room, const Real& side) {
+            return room.inverse_mass * (side * dot(room.displacement, normal) / depth);
         };
         const Real gain = gain_of(ours, Real(1.0)) + gain_of(theirs, Real(-1.0));
         if (!(gain > Real{})) continue;
-        const auto go = [&](std::uint32_t index, const Way& way) {
-            if (!(way.inverse_mass > Real{})) return;
-            // No further than was tried; but beside a bent edge, part of a way may be barred.
+        const auto go = [&](std::uint32_t index, const Allowed& room) {
+            if (!(room.inverse_mass > Real{})) return;
+            // No further than was tried. Yet a bent edge may bar a part of a displacement.
             Vector<Real> displacement =
-                way.displacement * std::min(Real(1.0), way.inverse_mass / gain);
-            if (!turns_aside(cluster_.bodies()[index], displacement)) move(index, displacement);
+                room.displacement * std::min(Real(1.0), room.inverse_mass / gain);
+            if (!deflect(cluster_.bodies()[index], displacement)) move(index, displacement);
         };
         go(point.contact.a, ours);
         go(point.contact.b, theirs);
@@ -61,9 +61,9 @@ template <typename Real>
 void PositionCorrection<Real>::move_out_of(const ContactPoint<Real>& point) {
     if (!(point.gap < Real{})) return;
     const Real depth = std::min(-point.gap, Real(most_correction) * cluster_.smaller_radius(point));
-    const Way way = way_of(point.contact.a, point.contact.normal * depth);
-    if (!(way.inverse_mass > Real{})) return;
-    move(point.contact.a, way.displacement);
+    const Allowed room = allowed(point.contact.a, point.contact.normal * depth);
+    if (!(room.inverse_mass > Real{})) return;
+    move(point.contact.a, room.displacement);
     cluster_.note_correction();
 }
 
@@ -98,15 +98,15 @@ auto PositionCorrection<Real>::momentum() const -> Momentum {
         const ImpactBody<Real>& body = cluster_.motion()[i];
         if (!cluster_.bodies()[i].is_changed || !(body.inverse_mass > Real{})) continue;
         all.kinetic += Real(0.5) * length_squared(body.velocity) / body.inverse_mass;
-        all.center += body.velocity / body.inverse_mass;
+        all.velocity += body.velocity / body.inverse_mass;
         mass += Real(1.0) / body.inverse_mass;
     }
     if (!is_alone || !(mass > Real{})) {
-        all.center = {};
+        all.velocity = {};
         return all;
     }
-    all.center = all.center / mass;
-    all.kinetic -= Real(0.5) * mass * length_squared(all.center);
+    all.velocity = all.velocity / mass;
+    all.kinetic -= Real(0.5) * mass * length_squared(all.velocity);
     return all;
 }
 
@@ -128,12 +128,12 @@ void PositionCorrection<Real>::pay(const Real& lost) {
     for (std::size_t i = 0; i < cluster_.bodies().size(); ++i) {
         ImpactBody<Real>& body = cluster_.motion()[i];
         if (!cluster_.bodies()[i].is_changed || !(body.inverse_mass > Real{})) continue;
-        body.velocity = all.center + (body.velocity - all.center) * share;
+        body.velocity = all.velocity + (body.velocity - all.velocity) * share;
     }
 }
 
 // Whether a ball would be displaced into another one, or through it, deeper than it is in there.
-// Distance on a straight way is convex, so no part of the way leads deeper than its nearest point.
+// Distance along a displacement is convex, so no part of it leads deeper than its nearest point.
 template <typename Real>
 bool PositionCorrection<Real>::enters_ball(const ClusterBody<Real>& body,
                                            const Vector<Real>& displacement) const {
@@ -148,20 +148,21 @@ bool PositionCorrection<Real>::enters_ball(const ClusterBody<Real>& body,
                 : state_at(balls_.trajectory(other), scene_.field, scene_.now).position;
         const Vector<Real> offset = body.position - place - scene_.image_shift(across, along);
         const Real reach = size + balls_.radius(other);
-        const Real allowed = Real(most_correction_into_ball) * std::min(size, balls_.radius(other));
+        const Real bearable =
+            Real(most_correction_into_ball) * std::min(size, balls_.radius(other));
         const Real nearest = std::clamp(-dot(offset, displacement) / length_squared(displacement),
                                         Real{}, Real(1.0));
         const Real gap = length(offset + displacement * nearest) - reach;
-        enters = enters || (gap < -allowed && gap < length(offset) - reach);
+        enters = enters || (gap < -bearable && gap < length(offset) - reach);
     });
     return enters;
 }
 
-// Turns a displacement along the first edge that it would enter, deeper than the ball is in there.
-// Returns whether it enters one.
+// Turns a displacement along the first edge into which it would lead deeper than the ball is now.
+// Returns whether there is one.
 template <typename Real>
-bool PositionCorrection<Real>::turns_aside(const ClusterBody<Real>& body,
-                                           Vector<Real>& displacement) const {
+bool PositionCorrection<Real>::deflect(const ClusterBody<Real>& body,
+                                       Vector<Real>& displacement) const {
     const Vector<Real> there = body.position + displacement;
     const Real size = balls_.radius(body.ball);
     bool enters = false;
@@ -181,13 +182,13 @@ bool PositionCorrection<Real>::turns_aside(const ClusterBody<Real>& body,
 }
 
 template <typename Real>
-auto PositionCorrection<Real>::way_of(std::uint32_t index, const Vector<Real>& displacement) const
-    -> Way {
+auto PositionCorrection<Real>::allowed(std::uint32_t index, const Vector<Real>& displacement) const
+    -> Allowed {
     const ClusterBody<Real>& body = cluster_.bodies()[index];
     const Motion motion = balls_[body.ball].line.motion;
     if (!body.is_changed || motion == Motion::held || motion == Motion::resting) return {};
     Vector<Real> left = displacement;
-    if (turns_aside(body, left) && turns_aside(body, left)) return {};
+    if (deflect(body, left) && deflect(body, left)) return {};
     const Real harmless = Real(most_correction_into_ball) * balls_.radius(body.ball);
     if (length_squared(left) > harmless * harmless && enters_ball(body, left)) return {};
     return {left, cluster_.motion()[index].inverse_mass};

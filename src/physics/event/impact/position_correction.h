@@ -40,15 +40,15 @@ class PositionCorrection {
     void apply(const Real& lost);
 
   private:
-    /// Where a body was before it was moved.
+    /// The place of a body before it was moved.
     struct Start {
         std::uint32_t body;
         Vector<Real> position;
     };
-    /// What moves with the cluster.
+    /// The motion of the cluster as a whole.
     struct Momentum {
-        Vector<Real> center;  ///< velocity, length/s
-        Real kinetic{};       ///< energy relative to it
+        Vector<Real> velocity;  ///< of the centre of mass, length/s; 0 if other bodies touch it
+        Real kinetic{};         ///< energy relative to that, mass length^2/s^2
     };
 
     void separate();
@@ -58,13 +58,13 @@ class PositionCorrection {
     Momentum momentum() const;
     void move_out_of(const ContactPoint<Real>& point);
     bool enters_ball(const ClusterBody<Real>& body, const Vector<Real>& displacement) const;
-    /// What edges and other balls leave of a displacement, and at which inverse mass.
-    struct Way {
+    /// A displacement within the room that edges and other balls leave.
+    struct Allowed {
         Vector<Real> displacement;
-        Real inverse_mass{};
+        Real inverse_mass{};  ///< of the body; 0: it may not move
     };
-    Way way_of(std::uint32_t body, const Vector<Real>& displacement) const;
-    bool turns_aside(const ClusterBody<Real>& body, Vector<Real>& displacement) const;
+    Allowed allowed(std::uint32_t body, const Vector<Real>& displacement) const;
+    bool deflect(const ClusterBody<Real>& body, Vector<Real>& displacement) const;
 
     const EventScene<Real>& scene_;
     const BallTable<Real>& balls_;

@@ -77,7 +77,7 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
     const double speed = static_cast<double>(approach);
     const double surface = static_cast<double>(point.contact.surface);
     const double restitution = restitution_of_edge(world, point.other, std::max(0.0, speed));
-    if (point.is_motorised && approach > Real{}) {
+    if (point.is_driven && approach > Real{}) {
         const Real pull = length(scene_.field.gravity) * balls_.radius(ball);
         const double least =
             std::sqrt(2.0 * driven_lift_height * static_cast<double>(pull)) / speed;

@@ -16,7 +16,7 @@ void ImpactCluster<Real>::add_hinged(ContactPoint<Real> point, const KinematicEd
     const Vector<Real> arm = bodies_[body].position - normal * radius_of(body) - edge.edge.pivot;
     point.contact.is_hinged = true;
     point.contact.surface = cross(arm, normal);
-    point.surface_velocity.x = cross(arm, perpendicular(normal));
+    point.side_lever = cross(arm, perpendicular(normal));
     const std::size_t at = contacts_.size();
     contacts_.push_back(point);
     contacts_[at].contact.b = add_seesaw(edge);

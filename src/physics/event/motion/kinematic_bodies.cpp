@@ -24,7 +24,7 @@ void KinematicBodies<Real>::take() {
         const Capsule& shape = world.capsules().shape[listed.capsule];
         KinematicEdge<Real> edge;
         edge.capsule = listed.capsule;
-        edge.is_motorised = listed.is_driven;
+        edge.is_driven = listed.is_driven;
         edge.edge.edge = Edge<Real>(shape, {});
         edge.edge.start_velocity = Vector<Real>(held.start_target - shape.start) / duration;
         edge.edge.end_velocity = Vector<Real>(held.end_target - shape.end) / duration;

@@ -17,8 +17,8 @@ template <typename Real>
 struct KinematicEdge {
     static constexpr std::uint32_t no_seesaw = 0xffffffffu;
     std::uint32_t capsule = 0;
-    bool is_motorised = false;  ///< a solenoid drives it: its surface throws (driven_restitution)
-    bool is_stopped = false;    ///< before the end of the tick, at the end of which it still moves
+    bool is_driven = false;   ///< HeldCapsule::is_driven: its surface throws (driven_restitution)
+    bool is_stopped = false;  ///< within the tick: it is where it was then
     MovingEdge<Real> edge;
     std::uint32_t seesaw = no_seesaw;  ///< index into World::seesaws
 
