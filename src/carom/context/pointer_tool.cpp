@@ -24,15 +24,13 @@ std::optional<Vec2> place_of(const World& world, BallId ball) {
 
 /// Whether the world already holds the object of the command at the position of the command.
 bool is_held_so(const World& world, const Command& command) {
-    if (const auto* hold = std::get_if<command::HoldBall>(&command))
-        return std::ranges::any_of(world.held_balls(), [&](const HeldBall& held) {
-            return held.id == hold->ball && held.target == hold->target;
-        });
+    if (const auto* hold = std::get_if<command::HoldBall>(&command)) {
+        const HeldBall* const held = held_of(world, hold->ball);
+        return held && held->target == hold->target;
+    }
     const auto& hold = std::get<command::HoldCapsule>(command);
-    return std::ranges::any_of(world.held_capsules(), [&](const HeldCapsule& held) {
-        return held.id == hold.capsule && held.start_target == hold.start_target &&
-               held.end_target == hold.end_target;
-    });
+    const HeldCapsule* const held = held_of(world, hold.capsule);
+    return held && held->start_target == hold.start_target && held->end_target == hold.end_target;
 }
 
 /// The number of ticks that the predicted path looks ahead: a second and a half, unless a frame has
@@ -159,8 +157,7 @@ std::optional<Complaint> PointerTool::open(Session& session) {
 
 void PointerTool::cancel(Session& session) {
     if (const auto* held = std::get_if<BallInHand>(&state_)) {
-        if (std::ranges::count(session.world().held_balls(), held->ball, &HeldBall::id))
-            session.apply(command::DropBall{held->ball});
+        if (is_held(session.world(), held->ball)) session.apply(command::DropBall{held->ball});
     } else if (const auto* edges = std::get_if<EdgesInHand>(&state_)) {
         for (const Command& command : drop(session.world(), edges->grip))
             session.apply(command);

@@ -6,20 +6,6 @@ namespace carom {
 namespace {
 
 using namespace command;
-/// The position of the entry with this id, or its insertion point, in a list sorted by id.
-template <typename Held, typename Id>
-auto place_of(std::vector<Held>& held, Id id) {
-    return std::ranges::lower_bound(held, id, {}, &Held::id);
-}
-
-template <typename Held>
-void take(std::vector<Held>& all, const Held& hold) {
-    const auto place = place_of(all, hold.id);
-    if (place != all.end() && place->id == hold.id)
-        *place = hold;
-    else
-        all.insert(place, hold);
-}
 
 /// A player can bring together bodies that could not meet when the level was loaded, so the model
 /// must include those collisions.
@@ -52,15 +38,14 @@ struct Execute {
                                          (*world.model().spin * world.balls().radius[i]);
     }
     void operator()(const HoldBall& hold) const {
-        take(world.edit_held_balls(), HeldBall{hold.ball, hold.target});
+        carom::hold(world, HeldBall{hold.ball, hold.target});
     }
     void operator()(const DropBall& drop) const {
         std::erase_if(world.edit_held_balls(),
                       [&](const HeldBall& h) { return h.id == drop.ball; });
     }
     void operator()(const HoldCapsule& hold) const {
-        take(world.edit_held_capsules(),
-             HeldCapsule{hold.capsule, hold.start_target, hold.end_target});
+        carom::hold(world, HeldCapsule{hold.capsule, hold.start_target, hold.end_target});
     }
     void operator()(const DropCapsule& drop) const {
         std::erase_if(world.edit_held_capsules(),
@@ -68,16 +53,13 @@ struct Execute {
     }
     void operator()(const PlaceBall& place) const {
         world.edit_balls().position[*index_of(world, place.ball)] = place.position;
-        const auto held = place_of(world.edit_held_balls(), place.ball);
-        if (held != world.held_balls().end() && held->id == place.ball)
-            held->target = place.position;
+        if (is_held(world, place.ball)) hold(world, HeldBall{place.ball, place.position});
     }
     void operator()(const PlaceCapsule& place) const {
         Capsule& shape = world.edit_capsules().shape[*index_of(world, place.capsule)];
         shape = {place.start, place.end, shape.radius};
-        const auto held = place_of(world.edit_held_capsules(), place.capsule);
-        if (held != world.held_capsules().end() && held->id == place.capsule)
-            *held = {place.capsule, place.start, place.end};
+        if (is_held(world, place.capsule))
+            hold(world, HeldCapsule{place.capsule, place.start, place.end});
     }
     void operator()(const AddBall& add) const {
         add_ball(world, add.spec);

@@ -140,7 +140,7 @@ Refusal refused(const World& world, const HoldBall& hold) {
 }
 
 Refusal refused(const World& world, const DropBall& drop) {
-    if (std::ranges::count(world.held_balls(), drop.ball, &HeldBall::id)) return std::nullopt;
+    if (is_held(world, drop.ball)) return std::nullopt;
     return fmt::format("ball {} is not held", number(drop.ball));
 }
 
@@ -151,8 +151,7 @@ Refusal refused(const World& world, const HoldCapsule& hold) {
 }
 
 Refusal refused(const World& world, const DropCapsule& drop) {
-    if (std::ranges::count(world.held_capsules(), drop.capsule, &HeldCapsule::id))
-        return std::nullopt;
+    if (is_held(world, drop.capsule)) return std::nullopt;
     return fmt::format("edge {} is not held", number(drop.capsule));
 }
 

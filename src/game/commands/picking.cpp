@@ -159,8 +159,7 @@ std::vector<Command> place(const World& world, const EdgeGrip& grip, Vec2 hand) 
 std::vector<Command> drop(const World& world, const EdgeGrip& grip) {
     std::vector<Command> commands;
     for (const EdgeGrip::Part& part : grip.parts)
-        if (std::ranges::count(world.held_capsules(), part.capsule, &HeldCapsule::id))
-            commands.push_back(command::DropCapsule{part.capsule});
+        if (is_held(world, part.capsule)) commands.push_back(command::DropCapsule{part.capsule});
     return commands;
 }
 

@@ -65,13 +65,8 @@ bool may_be_given_energy(const World& world) {
            (world.model().wrap && world.model().gravity);
 }
 
-bool is_held(const World& world, BallId id) {
-    return std::ranges::find(world.held_balls(), id, &HeldBall::id) != world.held_balls().end();
-}
-
 bool is_moved(const World& world, CapsuleId id) {
-    return std::ranges::find(world.held_capsules(), id, &HeldCapsule::id) !=
-               world.held_capsules().end() ||
+    return is_held(world, id) ||
            std::ranges::find(world.flippers(), id, &Flipper::capsule) != world.flippers().end() ||
            moves_by_itself(world, id);
 }

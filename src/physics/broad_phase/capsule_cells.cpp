@@ -34,11 +34,6 @@ Span part_between(Vec2 a, Vec2 b, double low, double high) {
 
 }  // namespace
 
-bool is_held(const World& world, CapsuleId id) {
-    return std::ranges::any_of(world.held_capsules(),
-                               [id](const HeldCapsule& held) { return held.id == id; });
-}
-
 // Row by row, the cells under the part of the capsule in that row. Rows and columns at the border
 // reach outwards without end, on a torus too.
 template <typename Visit>

@@ -88,7 +88,4 @@ class CapsuleCells {
     std::vector<CapsuleEntry> new_entries_;
 };
 
-/// Whether the capsule is held or driven.
-bool is_held(const World& world, CapsuleId id);
-
 }  // namespace carom

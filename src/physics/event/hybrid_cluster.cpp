@@ -110,12 +110,10 @@ std::optional<std::uint32_t> HybridCluster::node_of(const World& world, const Ha
         const auto index = index_of(world, BallId{hand.number});
         return index ? std::optional(static_cast<std::uint32_t>(*index)) : std::nullopt;
     }
-    const auto place = std::ranges::lower_bound(world.held_capsules(), CapsuleId{hand.number}, {},
-                                                &HeldCapsule::id);
-    if (place == world.held_capsules().end() || place->id != CapsuleId{hand.number})
-        return std::nullopt;
-    const auto held = static_cast<std::size_t>(place - world.held_capsules().begin());
-    return static_cast<std::uint32_t>(world.balls().size() + held);
+    const HeldCapsule* const held = held_of(world, CapsuleId{hand.number});
+    if (!held) return std::nullopt;
+    const auto at = static_cast<std::size_t>(held - world.held_capsules().data());
+    return static_cast<std::uint32_t>(world.balls().size() + at);
 }
 
 void HybridCluster::unite_held_capsules(const World& world) {

@@ -68,10 +68,8 @@ bool MoverStep::begin(World& world) {
     }
     if (edges_.empty()) return false;
     std::ranges::sort(edges_, {}, &Edge::capsule);
-    std::vector<HeldCapsule>& held = world.edit_held_capsules();
     for (const Edge& edge : edges_)
-        held.push_back({.id = world.capsules().id[edge.capsule], .is_driven = true});
-    std::ranges::sort(held, {}, &HeldCapsule::id);
+        hold(world, {.id = world.capsules().id[edge.capsule], .is_driven = true});
     return true;
 }
 
@@ -239,11 +237,8 @@ void MoverStep::check_energies(const Trial& trial) {
             energy_[sets_.root_of(static_cast<std::uint32_t>(*index))].is_thrown = true;
     for (const Contact& contact : trial.contacts) {
         if (contact.kind == ContactKind::ball_ball || find(contact.b)) continue;
-        const CapsuleId id = before.capsules().id[contact.b];
-        const auto held =
-            std::ranges::lower_bound(trial.after.held_capsules(), id, {}, &HeldCapsule::id);
-        const bool is_held = held != trial.after.held_capsules().end() && held->id == id;
-        if (is_held || before.materials()[before.capsules().material[contact.b]].kick > 0.0)
+        if (is_held(trial.after, before.capsules().id[contact.b]) ||
+            before.materials()[before.capsules().material[contact.b]].kick > 0.0)
             energy_[sets_.root_of(contact.a)].is_thrown = true;
     }
     for (std::uint32_t i = 0; i < active_.size(); ++i) {

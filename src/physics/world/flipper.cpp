@@ -59,13 +59,10 @@ void drive_flippers(World& world) {
         const Swing next = swing_after(flipper, world.tick_length());
         if (next.progress == flipper.progress) continue;
         const Vec2 pivot = world.capsules().shape[*index].start;
-        const auto place =
-            std::ranges::lower_bound(world.held_capsules(), flipper.capsule, {}, &HeldCapsule::id);
-        world.edit_held_capsules().insert(place,
-                                          {.id = flipper.capsule,
-                                           .start_target = pivot,
-                                           .end_target = flipper_end(flipper, pivot, next.progress),
-                                           .is_driven = true});
+        hold(world, {.id = flipper.capsule,
+                     .start_target = pivot,
+                     .end_target = flipper_end(flipper, pivot, next.progress),
+                     .is_driven = true});
     }
 }
 

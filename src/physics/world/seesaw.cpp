@@ -43,17 +43,14 @@ std::optional<std::uint32_t> seesaw_of(const World& world, CapsuleId id) {
 }
 
 void release_seesaws(World& world) {
-    if (world.seesaws().empty()) return;
-    std::vector<HeldCapsule>& held = world.edit_held_capsules();
     for (const Seesaw& seesaw : world.seesaws()) {
         const auto index = index_of(world, seesaw.capsule);
         if (!index) continue;
         const Capsule& shape = world.capsules().shape[*index];
-        const auto place = std::ranges::lower_bound(held, seesaw.capsule, {}, &HeldCapsule::id);
-        held.insert(place, {.id = seesaw.capsule,
-                            .start_target = shape.start,
-                            .end_target = shape.end,
-                            .is_seesaw = true});
+        hold(world, {.id = seesaw.capsule,
+                     .start_target = shape.start,
+                     .end_target = shape.end,
+                     .is_seesaw = true});
     }
 }
 

@@ -28,6 +28,27 @@ std::size_t bytes_of_edges(const std::vector<Mover>& movers) {
     return bytes;
 }
 
+// In a list in ascending order of id: the entry with this id, or else where it would be.
+template <typename List, typename Id>
+auto place_of(List& list, Id id) {
+    return std::ranges::lower_bound(list, id, {}, [](const auto& held) { return held.id; });
+}
+
+template <typename Held, typename Id>
+const Held* find_held(const std::vector<Held>& list, Id id) {
+    const auto place = place_of(list, id);
+    return place != list.end() && place->id == id ? &*place : nullptr;
+}
+
+template <typename Held>
+void put_held(std::vector<Held>& list, const Held& held) {
+    const auto place = place_of(list, held.id);
+    if (place != list.end() && place->id == held.id)
+        *place = held;
+    else
+        list.insert(place, held);
+}
+
 void become_one_way(World& world) {
     if (world.model().one_way) return;
     world.edit_definition().model.one_way = true;
@@ -136,6 +157,22 @@ std::optional<std::size_t> index_of(const World& world, BallId id) {
 
 std::optional<std::size_t> index_of(const World& world, CapsuleId id) {
     return find(world.capsules().id, id);
+}
+
+const HeldBall* held_of(const World& world, BallId id) {
+    return find_held(world.held_balls(), id);
+}
+
+const HeldCapsule* held_of(const World& world, CapsuleId id) {
+    return find_held(world.held_capsules(), id);
+}
+
+void hold(World& world, const HeldBall& held) {
+    put_held(world.edit_held_balls(), held);
+}
+
+void hold(World& world, const HeldCapsule& held) {
+    put_held(world.edit_held_capsules(), held);
 }
 
 void set_side(World& world, CapsuleId id, Side side) {

@@ -130,6 +130,20 @@ CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material,
 std::optional<std::size_t> index_of(const World& world, BallId id);
 std::optional<std::size_t> index_of(const World& world, CapsuleId id);
 
+/// How the ball or the edge is held as a kinematic body: by the player, and within a tick also by a
+/// flipper, a mover or a hinge. Null where it is not held. Valid until the list changes.
+const HeldBall* held_of(const World& world, BallId id);
+const HeldCapsule* held_of(const World& world, CapsuleId id);
+inline bool is_held(const World& world, BallId id) {
+    return held_of(world, id) != nullptr;
+}
+inline bool is_held(const World& world, CapsuleId id) {
+    return held_of(world, id) != nullptr;
+}
+/// Holds the ball or the edge from now on, in this way alone.
+void hold(World& world, const HeldBall& held);
+void hold(World& world, const HeldCapsule& held);
+
 /// Sets the side on which the edge pushes, and Model::one_way if the side requires it. Nothing
 /// happens when there is no such edge.
 void set_side(World& world, CapsuleId id, Side side);

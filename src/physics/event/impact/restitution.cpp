@@ -38,7 +38,7 @@ double Restitution<Real>::of_balls(const ContactPoint<Real>& point, bool is_alon
     const bool is_pushed = cluster_.motion()[point.contact.a].inverse_mass == Real{} ||
                            cluster_.motion()[point.contact.b].inverse_mass == Real{};
     const auto is_in_hand = [&](std::uint32_t ball, const Trajectory<Real>& trajectory) {
-        return trajectory.motion == Motion::held && scene_.is_in_hand(ball);
+        return trajectory.motion == Motion::held && is_held(world, world.balls().id[ball]);
     };
     if (is_pushed && is_in_hand(body.ball, ours))
         return off_hand(point.contact.b, point.contact.a, -point.contact.normal, restitution);

@@ -36,13 +36,6 @@ struct EventScene {
         return is_on_solid_side(world->capsules().shape[capsule], world->capsules().side[capsule],
                                 Vec2(position) - shift);
     }
-    /// Whether a hand holds the ball.
-    bool is_in_hand(std::uint32_t ball) const {
-        const BallId id = world->balls().id[ball];
-        for (const HeldBall& held : world->held_balls())
-            if (held.id == id) return true;
-        return false;
-    }
     /// Whether that image of the edge supports a ball on this trajectory.
     bool is_supported_by(const Trajectory<Real>& trajectory, std::uint32_t capsule, int across,
                          int along) const {
