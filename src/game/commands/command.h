@@ -116,6 +116,10 @@ struct TimedCommand {
 /// buttons and no referee: see game_state.h. Cost: linear in the bodies.
 std::optional<std::string> refusal(const World& world, const Command& command);
 
+/// Why a cue that gives at most `most_power`, m/s, cannot strike a ball to this velocity; none if
+/// it can.
+std::optional<std::string> refusal_of_cue(Vec2 velocity, double most_power);
+
 /// The place of the body that the body of this command would overlap, where that is why the command
 /// is refused; none otherwise. Cost: linear in the bodies.
 std::optional<Vec2> obstacle_to(const World& world, const Command& command);

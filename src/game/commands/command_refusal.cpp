@@ -252,6 +252,15 @@ std::optional<std::string> refusal(const World& world, const Command& command) {
     return std::visit([&](const auto& c) { return refused(world, c); }, command);
 }
 
+std::optional<std::string> refusal_of_cue(Vec2 velocity, double most_power) {
+    constexpr double rounding = 1e-9;
+    const double speed = length(velocity);
+    if (!(speed > 0.0)) return "the cue does not move";
+    if (speed > most_power * (1.0 + rounding))
+        return fmt::format("the cue gives at most {:g} m/s", most_power);
+    return std::nullopt;
+}
+
 std::optional<Vec2> obstacle_to(const World& world, const Command& command) {
     const auto why = refusal(world, command);
     if (!why || !why->starts_with(blocked)) return std::nullopt;  // its numbers are not to be used

@@ -16,12 +16,7 @@ Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
                 const command::Strike& strike) {
     if (auto why = refusal_to_shoot(play, strike.ball)) return why;
     if (auto why = refusal(world, Command(strike))) return why;
-    const double speed = length(strike.velocity);
-    const double most = scene.pool.cue->most_power;
-    constexpr double rounding = 1e-9;
-    if (!(speed > 0.0)) return "the cue does not move";
-    if (speed > most * (1.0 + rounding)) return fmt::format("the cue gives at most {:g} m/s", most);
-    return std::nullopt;
+    return refusal_of_cue(strike.velocity, scene.pool.cue->most_power);
 }
 
 Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,

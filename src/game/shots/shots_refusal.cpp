@@ -30,12 +30,7 @@ Refusal refused(const Scene& scene, const World& world, const ShotsState& state,
     if (std::ranges::count(cue_balls_of(scene, state), strike.ball) == 0)
         return "that is not the cue ball of the player whose turn it is";
     if (auto why = refusal(world, Command(strike))) return why;
-    const double most = cue_in_turn(scene, state).most_power;
-    const double speed = length(strike.velocity);
-    constexpr double rounding = 1e-9;
-    if (!(speed > 0.0)) return "the cue does not move";
-    if (speed > most * (1.0 + rounding)) return fmt::format("the cue gives at most {:g} m/s", most);
-    return std::nullopt;
+    return refusal_of_cue(strike.velocity, cue_in_turn(scene, state).most_power);
 }
 
 Refusal refused(const Scene& scene, const World& world, const ShotsState& state,
