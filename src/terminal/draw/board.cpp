@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/closest.h"
 #include "terminal/draw/board_rail.h"
@@ -120,6 +121,38 @@ CellMask outside_of(const Scene& scene, const BoardGrid& grid) {
     return {};
 }
 
+// A grid around everything that a board may cover; none where nothing has a size.
+std::optional<BoardGrid> grid_around(const Scene& scene, double rail) {
+    Box box = scene.view;
+    for (const std::uint32_t pocket : scene.pool.pockets)
+        box = join(box, bounds(scene.world.zones()[pocket].shape));
+    for (const Capsule& shape : scene.world.capsules().shape)
+        box = join(box, bounds(shape));
+    const double longest = std::max(size(box).x, size(box).y) + 2.0 * rail;
+    if (!std::isfinite(longest) || !(longest > 0.0)) return std::nullopt;
+    BoardGrid grid;
+    grid.cell = longest / most_cells;
+    grid.box = grow(box, rail + 4.0 * grid.cell);
+    grid.columns = static_cast<int>(std::ceil(size(grid.box).x / grid.cell));
+    grid.rows = static_cast<int>(std::ceil(size(grid.box).y / grid.cell));
+    return grid;
+}
+
+// The inside without the pockets: the frame is measured from it, and pockets lie within the frame.
+CellMask bed_of(const Scene& scene, const BoardGrid& grid, const CellMask& outside) {
+    CellMask bed(grid.size(), 0);
+    for (std::size_t i = 0; i < bed.size(); ++i)
+        bed[i] = outside[i] == 0;
+    CellMask pockets(grid.size(), 0);
+    for (const std::uint32_t pocket : scene.pool.pockets) {
+        const Capsule& shape = scene.world.zones()[pocket].shape;
+        mark(pockets, grid, shape, shape.radius);
+    }
+    for (std::size_t i = 0; i < bed.size(); ++i)
+        if (pockets[i] != 0) bed[i] = 0;
+    return bed;
+}
+
 bool wants_board(const Scene& scene) {
     return is_pool_table(scene) || !scene.table.is_empty() || scene.dress.theme.board ||
            scene.dress.theme.rail;
@@ -137,32 +170,12 @@ Board::Board(const Scene& scene) {
 
 void Board::flood(const Scene& scene) {
     const RailWidths widths = rail_widths(scene);
-    Box box = scene.view;
-    for (const std::uint32_t pocket : scene.pool.pockets)
-        box = join(box, bounds(scene.world.zones()[pocket].shape));
-    for (const Capsule& shape : scene.world.capsules().shape)
-        box = join(box, bounds(shape));
-    const double longest = std::max(size(box).x, size(box).y) + 2.0 * widths.rail;
-    if (!std::isfinite(longest) || !(longest > 0.0)) return;
-    BoardGrid grid;
-    grid.cell = longest / most_cells;
-    grid.box = grow(box, widths.rail + 4.0 * grid.cell);
-    grid.columns = static_cast<int>(std::ceil(size(grid.box).x / grid.cell));
-    grid.rows = static_cast<int>(std::ceil(size(grid.box).y / grid.cell));
-
+    const std::optional<BoardGrid> around = grid_around(scene, widths.rail);
+    if (!around) return;
+    const BoardGrid& grid = *around;
     const CellMask outside = outside_of(scene, grid);
     if (outside.empty()) return;
-    // The frame is measured from the bed: pockets lie within it.
-    CellMask bed(grid.size(), 0);
-    for (std::size_t i = 0; i < bed.size(); ++i)
-        bed[i] = outside[i] == 0;
-    CellMask pockets(grid.size(), 0);
-    for (const std::uint32_t pocket : scene.pool.pockets) {
-        const Capsule& shape = scene.world.zones()[pocket].shape;
-        mark(pockets, grid, shape, shape.radius);
-    }
-    for (std::size_t i = 0; i < bed.size(); ++i)
-        if (pockets[i] != 0) bed[i] = 0;
+    const CellMask bed = bed_of(scene, grid, outside);
     const std::vector<float> far = distance_from_bed(scene, grid, bed);
     const auto rail =
         static_cast<float>(rail_around_jaws(scene, grid, far, widths.rail / grid.cell));
