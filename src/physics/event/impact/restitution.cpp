@@ -84,8 +84,8 @@ double Restitution<Real>::of_edge(const ContactPoint<Real>& point, bool is_alone
         return std::max(driven_restitution(restitution, surface, speed), least);
     }
     if (point.kind == EventKind::kinematic_edge && point.contact.surface > Real{}) {
-        // Separates the ball fast enough for its next impact to be found (edge_impact.cpp). With
-        // less rebound it would sink into the edge, the deeper the longer it is pushed.
+        // Separates the ball fast enough for its next impact to be found (moving_edge_impact.cpp).
+        // With less rebound it would sink into the edge, the deeper the longer it is pushed.
         const double height = world.model().cloth ? moving_rest_height : rest_height;
         const Real pull = length(trajectory.acceleration) * balls_.radius(ball);
         if (approach * approach < Real(4.0 * height) * pull) return 1.0;
