@@ -43,7 +43,4 @@ class PinballDisplay {
     std::size_t balls_ = 0;
 };
 
-/// Formats 1234567 as 1,234,567.
-std::string grouped(std::int64_t number);
-
 }  // namespace carom

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "carom/controllers/pinball_panel.h"
 #include "game/pinball/pinball.h"
 
 namespace carom {

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "carom/controllers/pinball_display.h"
+#include "carom/controllers/pinball_panel.h"
 #include "carom/files/high_scores.h"
 #include "carom/play/recording.h"
 #include "carom/text/level_words.h"

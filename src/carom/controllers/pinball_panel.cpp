@@ -1,0 +1,129 @@
+#include "carom/controllers/pinball_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/pinball/pinball.h"
+
+namespace carom {
+namespace {
+
+std::string ball_line(const Session& session) {
+    const auto& state = std::get<PinballState>(session.game());
+    std::string line = fmt::format("ball {} of {}", state.ball, session.scene().table.balls);
+    if (state.extra_balls > 0) line += fmt::format(", {} extra", state.extra_balls);
+    return line;
+}
+
+std::string bonus_line(const Session& session) {
+    const auto& state = std::get<PinballState>(session.game());
+    if (state.bonus <= 0) return "bonus 0";
+    std::string line =
+        fmt::format("bonus {} x {}", state.bonus, grouped(session.scene().table.bonus));
+    if (state.multiplier > 1) line += fmt::format(" x {}", state.multiplier);
+    return line;
+}
+
+/// The players' scores, if there are several, the one whose turn it is marked.
+std::vector<std::string> player_lines(const Session& session) {
+    const auto& state = std::get<PinballState>(session.game());
+    std::vector<std::string> lines;
+    const std::vector<std::int64_t> scores = scores_of(state);
+    for (std::size_t i = 0; scores.size() > 1 && i < scores.size(); ++i)
+        lines.push_back(fmt::format("{} player {}  {}", i == state.rules.player ? ">" : " ", i + 1,
+                                    grouped(scores[i])));
+    return lines;
+}
+
+/// The score to beat: the next place in the table of high scores; or the award of an extra ball.
+std::string target_line(const Session& session, const PinballScores& scores) {
+    const auto& state = std::get<PinballState>(session.game());
+    const std::int64_t replay = session.scene().table.replay;
+    if (replay > 0 && !state.has_replay && state.score < replay)
+        return fmt::format("extra ball at {}", grouped(replay));
+    const HighScore* next = nullptr;
+    for (const HighScore& score : scores.scores().lines)
+        if (score.score >= state.score) next = &score;
+    if (next) return fmt::format("to beat: {} by {}", grouped(next->score), next->initials);
+    return scores.scores().lines.empty() ? "" : "the best score so far";
+}
+
+/// Lights that go out by themselves: "GETAWAY 18 s".
+std::vector<std::string> timer_lines(const Session& session) {
+    const auto& state = std::get<PinballState>(session.game());
+    const Scene& scene = session.scene();
+    std::vector<std::string> lines;
+    std::vector<std::uint32_t> told;
+    for (std::size_t i = 0; i < scene.table.devices.size(); ++i) {
+        const std::uint64_t until = state.lit_until[i];
+        const std::uint64_t tick = session.world().tick();
+        const std::uint32_t group = scene.table.devices[i].group;
+        if (state.is_lit[i] == 0 || until <= tick || std::ranges::count(told, group) > 0) continue;
+        told.push_back(group);
+        const std::string& text = scene.dress.devices[i].text;
+        lines.push_back(
+            fmt::format("{}  {:.0f} s", text.empty() ? scene.table.groups[group].name : text,
+                        std::ceil(static_cast<double>(until - tick) / session.world().rate())));
+    }
+    return lines;
+}
+
+/// Tilt, the ball saver, or warnings; empty if there are none.
+std::string safety_line(const Session& session) {
+    const auto& state = std::get<PinballState>(session.game());
+    const std::uint64_t tick = session.world().tick();
+    if (state.is_tilted) return "TILT";
+    if (tick < state.save_until && state.phase != PinballState::Phase::over) {
+        const auto left = static_cast<double>(state.save_until - tick) / session.world().rate();
+        return fmt::format("ball saver {:.0f} s", std::ceil(left));
+    }
+    if (state.warnings == 0) return {};
+    return fmt::format("tilt warnings {} of {}", state.warnings, session.scene().table.warnings);
+}
+
+}  // namespace
+
+std::string grouped(std::int64_t number) {
+    std::string digits = fmt::format("{}", number);
+    for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), ",");
+    return digits;
+}
+
+ScorePanel score_panel(const Session& session, const PinballScores& scores, bool is_demonstrating) {
+    const auto& state = std::get<PinballState>(session.game());
+    const std::optional<std::string>& initials = scores.initials();
+    ScorePanel panel;
+    panel.title = session.scene().title;
+    panel.score = grouped(state.score);
+    if (session.scene().table.is_game)
+        panel.lines = {ball_line(session), bonus_line(session), target_line(session, scores),
+                       safety_line(session)};
+    const std::vector<std::string> players = player_lines(session);
+    panel.lines.insert(panel.lines.begin(), players.begin(), players.end());
+    for (std::string& line : timer_lines(session))
+        panel.lines.push_back(std::move(line));
+    if (state.phase == PinballState::Phase::playing)
+        panel.task = task_text(session.scene(), session.world(), state);
+    panel.message = state.message;
+    if (initials)
+        panel.call =
+            (scores.player() == 0 ? "YOUR INITIALS: "
+                                  : fmt::format("PLAYER {}, INITIALS: ", scores.player())) +
+            *initials + std::string(3 - initials->size(), '_');
+    else if (state.phase == PinballState::Phase::over)
+        panel.call = "PRESS ENTER TO START";
+    else if (is_demonstrating)
+        panel.call = "DEMONSTRATION";
+    int rank = 0;
+    for (const HighScore& score : scores.scores().lines)
+        panel.high_scores.push_back({fmt::format("{}", ++rank), score.initials,
+                                     grouped(score.score), scores.newest() == score});
+    if (session.scene().table.is_game && panel.high_scores.empty())
+        panel.high_scores.push_back({"", "none yet", "", false});
+    return panel;
+}
+
+}  // namespace carom
