@@ -61,9 +61,9 @@ std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& 
     const ImpactBall first{velocity_a, bodies_.body[a].inverse_mass, bodies_.is_kinematic(a)};
     const ImpactBall second{velocity_b, bodies_.body[b].inverse_mass, bodies_.is_kinematic(b)};
     const double approach = -dot(velocity_a - velocity_b, normal);
-    const double noise = contact_tolerance::rounding * (length(velocity_a) + length(velocity_b));
+    const double rounding = contact_tolerance::rounding * (length(velocity_a) + length(velocity_b));
     const bool meets_again = pair.has_settled;
-    const bool bounces = approach > std::max(noise, step_.rest_speed) && !meets_again &&
+    const bool bounces = approach > std::max(rounding, step_.rest_speed) && !meets_again &&
                          !classification_.is_enclosed(pair);
     pair.has_settled = !bounces;
     const double restitution = bounces ? restitution_of(world, bodies_, pair, approach) : 0.0;
@@ -79,7 +79,7 @@ std::optional<Contact> ContactImpacts::collide_balls(World& world, ContactPair& 
     if (!first.is_kinematic && !second.is_kinematic) of_balls_.push_back({a, b});
     if (first.is_kinematic) paths_.count_push(b, now);
     if (second.is_kinematic) paths_.count_push(a, now);
-    if (!(approach > noise)) {
+    if (!(approach > rounding)) {
         if (meets_again) {
             paths_.freeze_pushed(a, b, -normal, now);
             paths_.freeze_pushed(b, a, normal, now);
@@ -121,7 +121,7 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
     Vec2 velocity = paths_.velocity_at(a, now);
     double surface_speed = paths_.surface_speed_at(a, now);
     const double approach = along_normal - dot(velocity, normal);
-    const double noise = contact_tolerance::rounding * (length(velocity) + length(surface));
+    const double rounding = contact_tolerance::rounding * (length(velocity) + length(surface));
     if (bodies_.is_kinematic(a)) {
         // A held ball goes no further than the edge lets it.
         pair.has_settled = true;
@@ -131,7 +131,7 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
     const CurveBounce curve = bounce_off_curve(world, pair, normal, now);
     if (curve.way == CurveBounce::Way::rolls_on) return roll_on(world, pair, normal, now);
     const double inverse_mass = bodies_.body[a].inverse_mass;
-    const double least = std::max(noise, along_normal > 0.0 ? 0.0 : step_.rest_speed);
+    const double least = std::max(rounding, along_normal > 0.0 ? 0.0 : step_.rest_speed);
     const bool meets_again = pair.has_settled;
     const bool bounces = approach > least && !meets_again && !classification_.is_enclosed(pair);
     pair.has_settled = !bounces;
@@ -153,7 +153,7 @@ std::optional<Contact> ContactImpacts::collide_edge(World& world, ContactPair& p
     }
     redirect(a, now, velocity, surface_speed);
     if (along_normal > 0.0 && !is_driven) paths_.count_push(a, now);
-    if (!(approach > noise)) {
+    if (!(approach > rounding)) {
         if (meets_again && !edge) paths_.freeze_at(a, normal, now);
         return std::nullopt;
     }

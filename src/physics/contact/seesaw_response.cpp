@@ -29,10 +29,10 @@ std::optional<Contact> ContactImpacts::collide_seesaw(World& world, ContactPair&
         redirect(a, now, velocity + normal * std::max(0.0, approach), surface_speed);
         return std::nullopt;
     }
-    const double noise =
+    const double rounding =
         contact_tolerance::rounding * (length(velocity) + std::abs(seesaw.rate * impact.lever));
     const bool meets_again = pair.has_settled;
-    const bool bounces = approach > std::max(noise, step_.rest_speed) && !meets_again &&
+    const bool bounces = approach > std::max(rounding, step_.rest_speed) && !meets_again &&
                          !classification_.is_enclosed(pair);
     pair.has_settled = !bounces;
     Exchange done{0.0, approach};
@@ -45,7 +45,7 @@ std::optional<Contact> ContactImpacts::collide_seesaw(World& world, ContactPair&
     }
     redirect(a, now, velocity, surface_speed);
     edge.turn(seesaw, now);
-    if (!(approach > noise)) {
+    if (!(approach > rounding)) {
         if (meets_again && edge.is_stopped()) paths_.freeze_at(a, normal, now);
         return std::nullopt;
     }

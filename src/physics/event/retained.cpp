@@ -26,10 +26,10 @@ bool WorldSync<Real>::leads_through(const Trajectory<Real>& trajectory, std::siz
 
 // Whether the edges that support the ball are still there, as they were.
 template <typename Real>
-bool WorldSync<Real>::are_carriers_unchanged(const Trajectory<Real>& trajectory,
+bool WorldSync<Real>::are_supports_unchanged(const Trajectory<Real>& trajectory,
                                              std::uint32_t digest) const {
     return trajectory.motion == Motion::free ||
-           digest_of_carriers(*scene_.world, trajectory.support, trajectory.second_support) ==
+           digest_of_supports(*scene_.world, trajectory.support, trajectory.second_support) ==
                digest;
 }
 
@@ -104,9 +104,9 @@ bool WorldSync<Real>::has_passed_an_edge(std::uint32_t ball) {
 template bool WorldSync<double>::leads_through(const Trajectory<double>&, std::size_t) const;
 template bool WorldSync<DoubleDouble>::leads_through(const Trajectory<DoubleDouble>&,
                                                      std::size_t) const;
-template bool WorldSync<double>::are_carriers_unchanged(const Trajectory<double>&,
+template bool WorldSync<double>::are_supports_unchanged(const Trajectory<double>&,
                                                         std::uint32_t) const;
-template bool WorldSync<DoubleDouble>::are_carriers_unchanged(const Trajectory<DoubleDouble>&,
+template bool WorldSync<DoubleDouble>::are_supports_unchanged(const Trajectory<DoubleDouble>&,
                                                               std::uint32_t) const;
 template bool WorldSync<double>::has_support(std::size_t) const;
 template bool WorldSync<DoubleDouble>::has_support(std::size_t) const;

@@ -144,7 +144,7 @@ void WorldSync<Real>::take_stored(const World& world, const BallTable<Real>& bef
                 at < stored.curves.size() ? stored.curves[at] : StoredCurvedPart{};
             balls_.set_trajectory(i, trajectory_from(stored.lines[at], curve));
             is_kept_[i] = (!world.model().spin || at < stored.spins.size()) &&
-                          are_carriers_unchanged(balls_.trajectory(i), curve.carriers);
+                          are_supports_unchanged(balls_.trajectory(i), curve.support_digest);
             if (world.model().spin && is_kept_[i]) spin_from_[i] = static_cast<std::int64_t>(at);
         }
     } else if (last_written_.is_valid && last_written_.tick == world.tick() &&
@@ -155,7 +155,8 @@ void WorldSync<Real>::take_stored(const World& world, const BallTable<Real>& bef
             if (at >= last_written_.ids.size() || last_written_.ids[at] != world.balls().id[i])
                 continue;
             balls_.set_trajectory(i, before.trajectory(at));
-            is_kept_[i] = are_carriers_unchanged(balls_.trajectory(i), last_written_.carriers[at]);
+            is_kept_[i] =
+                are_supports_unchanged(balls_.trajectory(i), last_written_.support_digests[at]);
             if (world.model().spin) spin_from_[i] = static_cast<std::int64_t>(at);
         }
     }

@@ -159,7 +159,7 @@ void WorldSync<Real>::clear_stored(World& world) {
         stored.lines.assign(balls_.size(), {});
         stored.curves.assign(balls_.may_curve() ? balls_.size() : 0, {});
     } else {
-        last_written_.carriers.assign(balls_.size(), 0);
+        last_written_.support_digests.assign(balls_.size(), 0);
     }
 }
 
@@ -170,8 +170,8 @@ void WorldSync<Real>::store_trajectories(World& world) {
     const auto store = [&](std::uint32_t i) {
         const Trajectory<Real> trajectory = balls_.trajectory(i);
         if constexpr (!std::is_same_v<Real, double>) {
-            last_written_.carriers[i] =
-                digest_of_carriers(world, trajectory.support, trajectory.second_support);
+            last_written_.support_digests[i] =
+                digest_of_supports(world, trajectory.support, trajectory.second_support);
         } else {
             stored.lines[i] = stored_linear_part(world.balls().id[i], trajectory);
             if (balls_.may_curve()) stored.curves[i] = stored_curved_part(world, trajectory);

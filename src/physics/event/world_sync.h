@@ -73,7 +73,7 @@ class WorldSync {
         // For other numbers than doubles, whose trajectories are not in the world:
         Model model;
         std::vector<BallId> ids;
-        std::vector<std::uint32_t> carriers;  ///< by ball, as StoredCurvedPart::carriers
+        std::vector<std::uint32_t> support_digests;  ///< by ball (StoredCurvedPart)
     };
     /// Position and velocity as the world shows them.
     struct Shown {
@@ -91,7 +91,7 @@ class WorldSync {
     void start_or_shift(const World& world, std::uint32_t ball);
     // retained.cpp: which stored trajectories still hold
     bool leads_through(const Trajectory<Real>& trajectory, std::size_t ball) const;
-    bool are_carriers_unchanged(const Trajectory<Real>& trajectory, std::uint32_t digest) const;
+    bool are_supports_unchanged(const Trajectory<Real>& trajectory, std::uint32_t digest) const;
     bool has_support(std::size_t ball) const;
     bool has_passed_an_edge(std::uint32_t ball);
     // world_sync.cpp

@@ -51,7 +51,7 @@ std::pmr::vector<Real> solve(const Matrix<Real>& matrix, const std::pmr::vector<
     Real largest{};
     for (const std::size_t i : active)
         if (largest < absolute(right[i])) largest = absolute(right[i]);
-    const Real noise = largest * Real(precision<Real>);
+    const Real rounding = largest * Real(precision<Real>);
     std::pmr::memory_resource* const memory = right.get_allocator().resource();
     Matrix<Real> root(count, memory);  // Cholesky
     for (std::size_t i = 0; i < count; ++i)
@@ -74,7 +74,7 @@ std::pmr::vector<Real> solve(const Matrix<Real>& matrix, const std::pmr::vector<
                 rest[i] -= matrix.at(active[i], active[j]) * solution[j];
             if (worst < absolute(rest[i])) worst = absolute(rest[i]);
         }
-        if (worst <= noise) break;
+        if (worst <= rounding) break;
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t k = 0; k < i; ++k)
                 rest[i] -= root.at(i, k) * rest[k];
@@ -100,7 +100,7 @@ std::optional<std::pmr::vector<Real>> stopping_impulses(const Matrix<Real>& matr
                                                         const std::pmr::vector<Real>& approach) {
     const std::size_t count = approach.size();
     const Real largest = *std::max_element(approach.begin(), approach.end());
-    const Real noise = largest * Real(1e-12);
+    const Real rounding = largest * Real(1e-12);
     constexpr int patience = 3;
     std::pmr::memory_resource* const memory = approach.get_allocator().resource();
     std::pmr::vector<std::uint8_t> is_active(count, 1, memory);
@@ -126,7 +126,7 @@ std::optional<std::pmr::vector<Real>> stopping_impulses(const Matrix<Real>& matr
             Real left = approach[i];
             for (const std::size_t j : active)
                 left -= matrix.at(i, j) * impulses[j];
-            if (left > noise) wrong.push_back(i);
+            if (left > rounding) wrong.push_back(i);
         }
         if (wrong.empty()) return impulses;
         if (wrong.size() < fewest) {

@@ -16,7 +16,7 @@ constexpr std::uint32_t no_ball = 0xffffffffu;
 inline bool is_noise(const Impact& impact, Vec2 velocity, Vec2 other, double fall) {
     if (impact.time > 0.0) return false;
     return -dot(velocity - other, impact.normal) <
-           swept_tolerance::noise * (length(velocity) + length(other) + fall);
+           swept_tolerance::rounding * (length(velocity) + length(other) + fall);
 }
 
 }  // namespace

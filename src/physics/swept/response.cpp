@@ -97,7 +97,7 @@ bool SweptResponse::meet_again(const World& world, const BallImpact& impact, Vec
     const Vec2 chord_a = chord(impact.a, velocity_a);
     const Vec2 chord_b = chord(impact.b, velocity_b);
     return -dot(chord_a - chord_b, impact.normal) >
-           swept_tolerance::noise * (length(chord_a) + length(chord_b));
+           swept_tolerance::rounding * (length(chord_a) + length(chord_b));
 }
 
 // A ball that comes to rest on a grounded one does not push it down, except where that would add

@@ -16,7 +16,7 @@
 /// | resting_approach     | 1.5   | g h (gravity over a substep)   | low bounces are lost / resting balls cost ever more impacts |
 /// | resting_restitution  | 1e-6  | share of the approach          | resting balls hop / rounding makes them meet again |
 /// | seesaw_restitution   | 0.01  | share of the approach          | balls hop on seesaws / they meet the turning edge again and freeze |
-/// | noise                | 1e-14 | share of the speeds            | slow contacts are lost / rounding counts as contact |
+/// | rounding             | 1e-14 | share of the speeds            | slow contacts are lost / rounding counts as contact |
 /// | most_resting_impacts | 16    | of a ball in a substep         | piles cost more / sliding balls freeze |
 /// | budget               | 12500 | tests of a pair, by ball and tick | ticks of 10 s / time stands still in jams and tubes |
 /// | far                  | 16    | radii of the ball, in a substep | 100 times as many pairs / substeps where none are needed |
@@ -37,7 +37,7 @@ inline constexpr double resting_restitution = 1e-6;
 inline constexpr double seesaw_restitution = 0.01;
 /// An approach slower than this share of the speeds of two bodies that touch, and of what gravity
 /// gives, is rounding.
-inline constexpr double noise = 1e-14;
+inline constexpr double rounding = 1e-14;
 /// A ball freezes after so many impacts in a substep that leave it resting; on cloth after twice
 /// as many, since at the first limit it stops sliding.
 inline constexpr std::uint32_t most_resting_impacts = 16;

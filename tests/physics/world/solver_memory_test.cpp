@@ -44,7 +44,7 @@ World with_trajectories() {
                                    .center = {8.0, 1.5},
                                    .support = {SupportId::Kind::edge, -1, 1, 2},
                                    .second_support = {SupportId::Kind::ball, 0, -1, 9},
-                                   .carriers = 77},
+                                   .support_digest = 77},
                                   {.acceleration = {}, .center = {2.5, 0.0}}};
     memory.trajectories.spins = {{.time = 0.5, .spin = -2.0, .rate = 0.125, .rolls = true},
                                  {.spin = 6.0}};

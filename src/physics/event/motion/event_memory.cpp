@@ -29,7 +29,7 @@ void add_stored(Hash& hash, const StoredCurvedPart& curve) {
     hash.add(curve.center);
     add_stored(hash, curve.support);
     add_stored(hash, curve.second_support);
-    hash.add(curve.carriers);
+    hash.add(curve.support_digest);
 }
 
 void add_stored(Hash& hash, const StoredSpin& spin) {

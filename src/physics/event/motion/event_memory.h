@@ -59,7 +59,7 @@ struct StoredCurvedPart {
     SupportId second_support;
     /// Digest of the edges that support the ball, as they were when the trajectory started
     /// (stored_trajectory.h): with another one, the support is gone.
-    std::uint32_t carriers = 0;
+    std::uint32_t support_digest = 0;
 
     friend bool operator==(const StoredCurvedPart&, const StoredCurvedPart&) = default;
 };

@@ -19,14 +19,14 @@ Trajectory<double> trajectory_from(const StoredLinearPart& stored, const StoredC
 }
 
 StoredCurvedPart stored_curved_part(const World& world, const Trajectory<double>& trajectory) {
-    return {
-        .acceleration = Vec2(trajectory.acceleration),
-        .center = Vec2(trajectory.center),
-        .support = trajectory.support,
-        .second_support = trajectory.second_support,
-        .carriers = trajectory.motion == Motion::free
-                        ? 0
-                        : digest_of_carriers(world, trajectory.support, trajectory.second_support)};
+    return {.acceleration = Vec2(trajectory.acceleration),
+            .center = Vec2(trajectory.center),
+            .support = trajectory.support,
+            .second_support = trajectory.second_support,
+            .support_digest =
+                trajectory.motion == Motion::free
+                    ? 0
+                    : digest_of_supports(world, trajectory.support, trajectory.second_support)};
 }
 
 namespace {
@@ -43,14 +43,14 @@ std::uint64_t digest_with_edge(std::uint64_t digest, const World& world, std::si
 
 }  // namespace
 
-std::uint32_t digest_of_carriers(const World& world, const SupportId& support,
+std::uint32_t digest_of_supports(const World& world, const SupportId& support,
                                  const SupportId& second) {
     std::uint64_t digest = 0;
-    for (const SupportId& carrier : {support, second}) {
-        if (carrier.kind != SupportId::Kind::edge) continue;
-        digest = digest_with(digest, std::uint64_t{carrier.number});
-        const auto index = index_of(world, CapsuleId{carrier.number});
-        if (!index || is_held(world, CapsuleId{carrier.number})) continue;
+    for (const SupportId& each : {support, second}) {
+        if (each.kind != SupportId::Kind::edge) continue;
+        digest = digest_with(digest, std::uint64_t{each.number});
+        const auto index = index_of(world, CapsuleId{each.number});
+        if (!index || is_held(world, CapsuleId{each.number})) continue;
         digest = digest_with_edge(digest, world, *index);
     }
     return static_cast<std::uint32_t>(digest >> 32);

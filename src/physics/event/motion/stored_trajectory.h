@@ -21,10 +21,10 @@ inline StoredLinearPart stored_linear_part(BallId id, const LinearPart<double>& 
 }
 StoredCurvedPart stored_curved_part(const World& world, const Trajectory<double>& trajectory);
 
-/// StoredCurvedPart::carriers of a ball with these supports: a digest of where the edges among them
-/// are and on which side they are solid; 0 where there are none. An edge that is gone or held
-/// counts as one of another shape.
-std::uint32_t digest_of_carriers(const World& world, const SupportId& support,
+/// StoredCurvedPart::support_digest of a ball with these supports: a digest of where the edges
+/// among them are and on which side they are solid; 0 where there are none. An edge that is gone or
+/// held counts as one of another shape.
+std::uint32_t digest_of_supports(const World& world, const SupportId& support,
                                  const SupportId& second);
 
 /// StoredTrajectories::obstacles: a digest of the edges that nothing holds, of the radii, and of

@@ -69,16 +69,16 @@ void SideFriction<Real>::brake(std::uint32_t ball, const Real& friction) {
 }
 
 template <typename Real>
-bool SideFriction<Real>::rest_braced(std::uint32_t ball, const Support<Real>& carrier,
+bool SideFriction<Real>::rest_braced(std::uint32_t ball, const Support<Real>& support,
                                      const Vector<Real>& velocity, const Effect& effect,
                                      const Vector<Real>& acceleration) {
     if (effect.spin.rolls || effect.acceleration == Vector<Real>{}) return false;
     const auto barrier = supports_.barrier_to(ball, velocity, acceleration);
     if (!barrier) return false;
-    const Real ours = coefficient(ball, carrier.id);
+    const Real ours = coefficient(ball, support.id);
     const Real theirs = coefficient(ball, barrier->id);
-    const Real press = -dot(scene_.field.gravity, carrier.normal) / (Real(1.0) + ours * theirs);
-    trajectories_.put_to_rest(ball, carrier.id, barrier->id);
+    const Real press = -dot(scene_.field.gravity, support.normal) / (Real(1.0) + ours * theirs);
+    trajectories_.put_to_rest(ball, support.id, barrier->id);
     brake(ball, ours * press * (Real(1.0) + theirs));
     return true;
 }

@@ -53,7 +53,7 @@ class SideFriction {
     void brake(std::uint32_t ball, const Real& friction);
     /// If friction on the supporting side drives the ball against another edge that it touches,
     /// puts the ball to rest there, where its spin is braked. Returns whether it did.
-    bool rest_braced(std::uint32_t ball, const Support<Real>& carrier, const Vector<Real>& velocity,
+    bool rest_braced(std::uint32_t ball, const Support<Real>& support, const Vector<Real>& velocity,
                      const Effect& effect, const Vector<Real>& acceleration);
     /// Whether a ball at rest on two supports spins fast enough to roll off along `side`.
     bool rolls_off(std::uint32_t ball, const Support<Real>& side, const Support<Real>& other) const;
