@@ -1,58 +1,11 @@
-#include <cstdlib>
 #include <functional>
-#include <new>
 #include <string>
 
 #include <doctest/doctest.h>
 
+#include "memory/counts.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
-
-// A separate program, since it replaces operator new to count allocations.
-namespace {
-
-std::size_t allocations = 0;
-
-void* take(std::size_t size) {
-    ++allocations;
-    void* block = std::malloc(size == 0 ? 1 : size);
-    if (!block) throw std::bad_alloc();
-    return block;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    return take(size);
-}
-void* operator new[](std::size_t size) {
-    return take(size);
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-    ++allocations;
-    const auto step = static_cast<std::size_t>(alignment);
-    void* block = std::aligned_alloc(step, (size + step - 1) / step * step);
-    if (!block) throw std::bad_alloc();
-    return block;
-}
-void operator delete(void* block, std::align_val_t) noexcept {
-    std::free(block);
-}
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
-    std::free(block);
-}
-void operator delete(void* block) noexcept {
-    std::free(block);
-}
-void operator delete[](void* block) noexcept {
-    std::free(block);
-}
-void operator delete(void* block, std::size_t) noexcept {
-    std::free(block);
-}
-void operator delete[](void* block, std::size_t) noexcept {
-    std::free(block);
-}
 
 using namespace carom;
 
@@ -120,9 +73,9 @@ TEST_CASE("a warmed-up scene allocates nothing in a tick") {
                 counted = 0;
                 for (int i = 0; i < ticks; ++i) {
                     scene.before_tick(world);
-                    const std::size_t before = allocations;
+                    const std::size_t before = test::memory_counts.allocations;
                     solver.tick(world);
-                    counted += allocations - before;
+                    counted += test::memory_counts.allocations - before;
                 }
             }
             const std::string what = std::string(scene.name) + " under " + std::string(name(kind));

@@ -56,9 +56,10 @@ class Amending {
         if (const auto edge = symbols_.edge_named(amendment.name->text))
             return amend_edge(*edge, amendment);
         if (symbols_.is_error_name(amendment.name->text)) return;
+        const std::vector<std::string> known = symbols_.body_names();
         complain(amendment, "amends-nothing",
                  fmt::format("there is no ball or edge '{}'", amendment.name->text),
-                 did_you_mean(amendment.name->text, symbols_.body_names(),
+                 did_you_mean(amendment.name->text, {known.begin(), known.end()},
                               "of several that share a name, write NAME.2 for the second"));
     }
 

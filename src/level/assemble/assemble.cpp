@@ -39,11 +39,13 @@ class Assembly {
             check_crowd(names_, context_);
             if (context_.reporter.has_errors()) return;
         }
+        const bool is_large = items_to_come() > most_checked_with_errors;
+        if (is_large && has_unknown_names()) return;
         collect_stated_balls();
-        if (items_to_come() > most_checked_with_errors && has_early_error()) return;
+        if (is_large && has_early_overlap()) return;
         add_fills();
         SymbolTable symbols(ir_, names_, context_);
-        symbols.name_balls(balls_);
+        symbols.name_balls(bindings());
         MotionAssembly motions(names_, context_);
         motions.check_names();
         SeesawAssembly seesaws(options_, names_, context_);
@@ -127,9 +129,7 @@ class Assembly {
     void collect_stated_balls() {
         balls_.reserve(ir_.balls.size());
         for (std::size_t i = 0; i < ir_.balls.size(); ++i) {
-            const int binding = ir_.balls[i].binding;
-            if (names_.balls[static_cast<std::size_t>(binding)].is_valid)
-                balls_.push_back(starting_ball(i));
+            if (is_valid(ir_.balls.shared_part(i).binding)) balls_.push_back(starting_ball(i));
         }
     }
 
@@ -140,12 +140,40 @@ class Assembly {
         return items;
     }
 
-    // Of a large level: what can be refused without the balls of fills and without a world, which
-    // take most of the time and memory. What is reported here is not reported again.
-    bool has_early_error() {
+    bool is_valid(int binding) const {
+        return names_.balls[static_cast<std::size_t>(binding)].is_valid;
+    }
+
+    // The bindings of the stated balls.
+    std::vector<int> stated_bindings() const {
+        std::vector<int> bindings;
+        bindings.reserve(ir_.balls.size());
+        for (std::size_t i = 0; i < ir_.balls.size(); ++i)
+            if (const int binding = ir_.balls.shared_part(i).binding; is_valid(binding))
+                bindings.push_back(binding);
+        return bindings;
+    }
+
+    std::vector<int> bindings() const {
+        std::vector<int> bindings;
+        bindings.reserve(balls_.size());
+        for (const StartingBall& ball : balls_)
+            bindings.push_back(ball.binding);
+        return bindings;
+    }
+
+    // Of a large level: what can be refused without its balls, which take most of the time and
+    // memory. What is reported here is not reported again.
+    bool has_unknown_names() {
         SymbolTable symbols(ir_, names_, context_);
-        symbols.name_balls(balls_);
+        symbols.name_balls(stated_bindings());
         symbols.check_references();
+        return context_.reporter.has_errors();
+    }
+
+    // Of a large level: whether its stated balls have an error that needs neither the balls of
+    // fills nor a world.
+    bool has_early_overlap() {
         if (ir_.amendments.empty() && !ir_.fills.empty()) check_start(balls_, names_, context_);
         return context_.reporter.has_errors();
     }

@@ -133,12 +133,11 @@ std::optional<Quantity> SymbolTable::ball_quantity(const Word& word, std::size_t
     }
     if (const auto number = ball_named(ball.text)) return Quantity{*found, BallId{*number}, {}, {}};
     if (is_error_name(ball.text)) return std::nullopt;
-    std::vector<std::string_view> known;
-    for (const std::uint32_t i : named_balls_)
-        known.push_back(ball_names_[i]);
-    context_.reporter.error(
-        "unknown-ball", ball.span(), fmt::format("there is no ball '{}'", ball.text),
-        did_you_mean(ball.text, known, "give the ball a name: ball NAME at=..."));
+    const std::vector<std::string> known = names_of_statements();
+    context_.reporter.error("unknown-ball", ball.span(),
+                            fmt::format("there is no ball '{}'", ball.text),
+                            did_you_mean(ball.text, {known.begin(), known.end()},
+                                         "give the ball a name: ball NAME at=..."));
     return std::nullopt;
 }
 

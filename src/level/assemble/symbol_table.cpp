@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "level/text/spelling.h"
 
@@ -22,27 +23,27 @@ Group& group_named(std::vector<Group>& groups,
 
 }  // namespace
 
-void SymbolTable::name_balls(const std::vector<StartingBall>& balls) {
-    std::map<std::string_view, std::pair<const Node*, std::uint32_t>> statements;
-    ball_names_.assign(balls.size(), "");
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (balls[i].binding < 0) continue;
-        const BallBinding& binding = ir_.ball_bindings[static_cast<std::size_t>(balls[i].binding)];
+void SymbolTable::name_balls(std::span<const int> bindings) {
+    ball_names_.assign(bindings.size(), {});
+    for (std::size_t i = 0; i < bindings.size(); ++i) {
+        if (bindings[i] < 0) continue;
+        const BallBinding& binding = ir_.ball_bindings[static_cast<std::size_t>(bindings[i])];
         if (!binding.name && !binding.is_numbered) continue;
         const std::string_view base =
             binding.name ? binding.name->text : binding.node->keyword().text;
-        auto& [node, count] = statements[base];
-        if (!node) node = binding.node;
-        if (node != binding.node) {
+        const auto [found, is_new] = ball_statement_index_.emplace(
+            base, static_cast<std::uint32_t>(ball_statements_.size()));
+        if (is_new) ball_statements_.push_back({base, binding.node, binding.is_numbered, 0});
+        BallStatement& statement = ball_statements_[found->second];
+        if (statement.node != binding.node) {
             context_.reporter.error(
                 "name-taken", binding.name ? binding.name->span() : binding.node->keyword().span(),
-                fmt::format("the name '{}' is taken, in line {}", base, node->keyword().line),
+                fmt::format("the name '{}' is taken, in line {}", base,
+                            statement.node->keyword().line),
                 "give each ball a name of its own");
             continue;
         }
-        ++count;
-        const bool is_plain = count == 1 && !binding.is_numbered;
-        ball_names_[i] = is_plain ? std::string(base) : fmt::format("{}.{}", base, count);
+        ball_names_[i] = {found->second, ++statement.count};
         if (binding.name && !is_identifier(base)) {
             context_.reporter.error("not-a-name", binding.name->span(),
                                     fmt::format("'{}' is not a name", base),
@@ -50,13 +51,29 @@ void SymbolTable::name_balls(const std::vector<StartingBall>& balls) {
         }
     }
     for (const ResolvedEdges& edges : names_.edges) {
-        const auto taken = statements.find(edges.name);
-        if (edges.name.empty() || taken == statements.end()) continue;
+        const auto taken = ball_statement_index_.find(edges.name);
+        if (edges.name.empty() || taken == ball_statement_index_.end()) continue;
         context_.reporter.error("name-taken", edges.name_at,
                                 fmt::format("the name '{}' is taken, in line {}", edges.name,
-                                            taken->second.first->keyword().line),
+                                            ball_statements_[taken->second].node->keyword().line),
                                 "a ball has that name: choose another");
     }
+}
+
+std::string SymbolTable::name_of(const BallName& ball) const {
+    if (ball.statement == none) return {};
+    const BallStatement& statement = ball_statements_[ball.statement];
+    const bool is_plain = ball.ordinal == 1 && !statement.is_numbered;
+    return is_plain ? std::string(statement.name)
+                    : fmt::format("{}.{}", statement.name, ball.ordinal);
+}
+
+std::vector<std::string> SymbolTable::names_of_statements() const {
+    std::vector<std::string> names;
+    for (std::uint32_t i = 0; i < ball_statements_.size(); ++i)
+        names.push_back(name_of({i, 1}));
+    std::ranges::sort(names);
+    return names;
 }
 
 void SymbolTable::name_edges() {
@@ -85,11 +102,10 @@ std::optional<std::size_t> SymbolTable::edge_named(std::string_view name) {
     return found == edge_index_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::vector<std::string_view> SymbolTable::body_names() const {
-    std::vector<std::string_view> names;
-    for (const std::vector<std::string>* all : {&ball_names_, &edge_names_})
-        for (const std::string& name : *all)
-            if (!name.empty()) names.emplace_back(name);
+std::vector<std::string> SymbolTable::body_names() const {
+    std::vector<std::string> names = names_of_statements();
+    for (const std::string& name : edge_names_)
+        if (!name.empty()) names.push_back(name);
     return names;
 }
 
@@ -134,28 +150,39 @@ const SymbolTable::Bins* SymbolTable::bins_named(const Word& name) {
     return nullptr;
 }
 
-// The number of the ball of this name. Sorts the names first: most levels of many balls never ask.
+// Sorts the names first: most levels of many balls never ask.
 std::optional<std::uint32_t> SymbolTable::ball_named(std::string_view name) {
-    const auto name_of = [&](std::uint32_t i) { return std::string_view(ball_names_[i]); };
+    const std::size_t dot = name.find('.');
+    const auto statement = ball_statement_index_.find(name.substr(0, dot));
+    if (statement == ball_statement_index_.end()) return std::nullopt;
+    BallName wanted{statement->second, 1};
+    if (dot != std::string_view::npos) {
+        const std::string_view digits = name.substr(dot + 1);
+        std::from_chars(digits.data(), digits.data() + digits.size(), wanted.ordinal);
+    }
+    // Other spellings of the number, and NAME.1 of NAME, are no names.
+    if (name_of(wanted) != name) return std::nullopt;
+    const auto of_ball = [&](std::uint32_t i) { return ball_names_[i]; };
     if (named_balls_.empty()) {
         for (std::uint32_t i = 0; i < ball_names_.size(); ++i)
-            if (!ball_names_[i].empty()) named_balls_.push_back(i);
-        std::ranges::sort(named_balls_, {}, name_of);
+            if (ball_names_[i].statement != none) named_balls_.push_back(i);
+        std::ranges::sort(named_balls_, {}, of_ball);
     }
-    const auto found = std::ranges::lower_bound(named_balls_, name, {}, name_of);
-    if (found == named_balls_.end() || name_of(*found) != name) return std::nullopt;
+    const auto found = std::ranges::lower_bound(named_balls_, wanted, {}, of_ball);
+    if (found == named_balls_.end() || of_ball(*found) != wanted) return std::nullopt;
     return *found;
 }
 
 void SymbolTable::fill_in(Scene& scene) {
     check_references();
     World& world = scene.world;
-    scene.ball_names = ball_names_;
+    scene.ball_names.clear();
+    for (const BallName& name : ball_names_)
+        scene.ball_names.push_back(name_of(name));
     std::map<std::string, std::size_t, std::less<>> index;
     for (std::size_t i = 0; i < ball_names_.size(); ++i) {
-        if (ball_names_[i].empty()) continue;
-        const std::string_view base =
-            std::string_view(ball_names_[i]).substr(0, ball_names_[i].find('.'));
+        if (ball_names_[i].statement == none) continue;
+        const std::string_view base = ball_statements_[ball_names_[i].statement].name;
         group_named(scene.groups, index, base).balls.push_back(world.balls().id[i]);
     }
     scene.edge_numbers = edge_numbers_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "level/assemble/assemble.h"
 #include "level/assemble/resolve_names.h"
 
@@ -13,7 +15,9 @@ class SymbolTable {
 
     /// Names the balls: the first ball of a statement NAME gets NAME, and its copies NAME.2, NAME.3
     /// ...; the balls of a cradle or a rack get NAME.1, NAME.2 ... Reports names that are taken.
-    void name_balls(const std::vector<StartingBall>& balls);
+    /// `bindings`: of each ball, the index into LevelIr::ball_bindings; -1: it was placed by a
+    /// fill.
+    void name_balls(std::span<const int> bindings);
 
     /// Names the edges: the only edge of a name has that name, of several the second has NAME.2.
     /// Call before edges are removed.
@@ -23,8 +27,8 @@ class SymbolTable {
     /// The number of the ball, or of the edge, of this name; none: no such.
     std::optional<std::uint32_t> ball_named(std::string_view name);
     std::optional<std::size_t> edge_named(std::string_view name);
-    /// All names of balls and edges.
-    std::vector<std::string_view> body_names() const;
+    /// All names of edges, and one of the balls of each statement.
+    std::vector<std::string> body_names() const;
     /// Whether the statement that gives the name had an error.
     bool is_error_name(std::string_view name) const;
 
@@ -39,12 +43,29 @@ class SymbolTable {
     const std::vector<std::uint32_t>& world_zones() const { return world_zones_; }
 
   private:
+    /// The name that a statement gives to its balls.
+    struct BallStatement {
+        std::string_view name;
+        const Node* node = nullptr;
+        bool is_numbered = false;  ///< its first ball has a number too
+        std::uint32_t count = 0;
+    };
+    /// 8 bytes: a level may have a million.
+    struct BallName {
+        std::uint32_t statement = none;
+        std::uint32_t ordinal = 0;  ///< from 1
+
+        auto operator<=>(const BallName&) const = default;
+    };
+    static constexpr std::uint32_t none = 0xffffffffu;
     struct Bins {
         std::string name;
         std::vector<std::uint32_t> zones;  ///< indices into LevelIr::zones, left to right
         std::uint32_t first_counter = 0;
     };
     // symbol_table.cpp: names
+    std::string name_of(const BallName& ball) const;
+    std::vector<std::string> names_of_statements() const;
     void collect_bins();
     const Bins* bins_named(const Word& name);
     // symbol_references.cpp: what `show` and `expect` refer to
@@ -59,7 +80,9 @@ class SymbolTable {
     const LevelIr& ir_;
     const ResolvedNames& names_;
     Context& context_;
-    std::vector<std::string> ball_names_;
+    std::vector<BallStatement> ball_statements_;
+    std::map<std::string_view, std::uint32_t> ball_statement_index_;
+    std::vector<BallName> ball_names_;
     std::vector<std::uint32_t> named_balls_;              ///< by name; filled when first needed
     std::vector<std::uint32_t> edge_numbers_;             ///< of those left; empty: all are
     std::vector<std::string> edge_names_;                 ///< by number; empty: no edge has a name
