@@ -15,7 +15,7 @@
 #include "carom/cli/progress.h"
 #include "carom/files/files.h"
 #include "carom/files/print.h"
-#include "carom/play/recording.h"
+#include "carom/files/recording.h"
 #include "lab/measure/measure.h"
 #include "lab/measure/measure_data.h"
 #include "lab/measure/measure_text.h"

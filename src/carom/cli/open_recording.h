@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "carom/play/recording.h"
+#include "carom/files/recording.h"
 
 namespace carom {
 

@@ -9,7 +9,7 @@
 #include "carom/cli/open_recording.h"
 #include "carom/files/files.h"
 #include "carom/files/print.h"
-#include "carom/play/recording.h"
+#include "carom/files/recording.h"
 #include "lab/run/run_record.h"
 
 namespace carom {

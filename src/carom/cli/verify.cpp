@@ -7,7 +7,7 @@
 #include "carom/cli/interrupt.h"
 #include "carom/cli/progress.h"
 #include "carom/files/print.h"
-#include "carom/play/recording.h"
+#include "carom/files/recording.h"
 #include "carom/text/version.h"
 #include "game/replay/replayer.h"
 #include "physics/version.h"

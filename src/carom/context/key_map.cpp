@@ -34,14 +34,18 @@ std::vector<const Action*> actions_of(const HelpLine& line) {
 KeyMap::KeyMap() {
     for (const Action& action : actions())
         for (const Key& key : default_keys(action))
-            bind(key, &action);
+            add(key, &action, true);
 }
 
 void KeyMap::bind(const Key& key, const Action* action) {
+    add(key, action, false);
+}
+
+void KeyMap::add(const Key& key, const Action* action, bool is_default) {
     std::erase_if(bindings_, [&](const Binding& binding) {
         return binding.key == key && (!action || layer_of(*binding.action) == layer_of(*action));
     });
-    if (action) bindings_.push_back({key, action});
+    if (action) bindings_.push_back({key, action, is_default});
 }
 
 const Action* KeyMap::action_of(const Key& key, KeyLayer layer) const {
@@ -65,8 +69,12 @@ std::vector<Key> KeyMap::keys_of(const Action& action) const {
 }
 
 std::string KeyMap::hint(std::string_view action_name) const {
-    const auto found = std::ranges::find(bindings_, &action(action_name), &Binding::action);
-    return found == bindings_.end() ? std::string{} : shown_key(found->key);
+    const Action* const row = &action(action_name);
+    const Binding* shown = nullptr;
+    for (const Binding& binding : bindings_)
+        if (binding.action == row && (!shown || (shown->is_default && !binding.is_default)))
+            shown = &binding;
+    return shown ? shown_key(shown->key) : std::string{};
 }
 
 std::string KeyMap::keys_of(const HelpLine& line) const {

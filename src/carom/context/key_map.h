@@ -26,7 +26,8 @@ class KeyMap {
     std::optional<Button> button_of(const Key& key) const;
     /// The keys of an action, in the order in which they were bound.
     std::vector<Key> keys_of(const Action& action) const;
-    /// The action's first key, for hints; empty if it has none. Pre: there is such an action.
+    /// The action's key for hints: the first that is not by default, else the first; empty if it
+    /// has none. Pre: there is such an action.
     std::string hint(std::string_view action_name) const;
 
     /// The help page of a way of playing, with the keys as they are bound.
@@ -36,7 +37,9 @@ class KeyMap {
     struct Binding {
         Key key;
         const Action* action;
+        bool is_default = false;
     };
+    void add(const Key& key, const Action* action, bool is_default);
     std::string keys_of(const HelpLine& line) const;
 
     std::vector<Binding> bindings_;

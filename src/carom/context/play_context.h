@@ -25,7 +25,17 @@
 namespace carom {
 
 /// A player's requests to the program around the game.
-enum class PlayRequest : std::uint8_t { none, quit, menu, save, record, toggle_mouse, resume };
+enum class PlayRequest : std::uint8_t {
+    none,
+    quit,
+    menu,
+    save,
+    record,
+    toggle_mouse,
+    theme,
+    change_key,
+    resume
+};
 
 /// The pointer, moved by the mouse or the cursor keys, and the tool it holds.
 struct Pointer {

@@ -182,6 +182,8 @@ constexpr Action rows[] = {
      open_page<CoveringPage::Kind::explanation>},
 
     {"mouse", "m", "mouse on, off", anywhere, ask<PlayRequest::toggle_mouse>},
+    {"theme", "f2", "next theme of colours", anywhere, ask<PlayRequest::theme>},
+    {"change-key", "f3", "change a key", anywhere, ask<PlayRequest::change_key>},
     {"take-up", "R", "resume the unfinished game", anywhere, ask<PlayRequest::resume>},
     {"help", "?", "help: the keys", anywhere, open_page<CoveringPage::Kind::help>},
     {"about", "f1", "about this level", anywhere, open_about},

@@ -98,6 +98,7 @@ constexpr HelpLine lines[] = {
     {watched, "Program", "save", "", "save as a level"},
     {at_pinball, "Program", "keep-recording", "", "keep a recording"},
     {in_all, "Program", "mouse", "", "mouse on, off"},
+    {in_all, "Program", "theme change-key", "", "theme, change a key"},
     {in_free | at_table | at_pinball, "Program", "take-up", "", "resume unfinished game"},
     {in_all, "Program", "menu quit", "", "cancel or menu, quit"},
 };

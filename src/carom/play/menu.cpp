@@ -8,7 +8,7 @@
 
 #include "carom/controllers/pinball_panel.h"
 #include "carom/files/high_scores.h"
-#include "carom/play/recording.h"
+#include "carom/files/recording.h"
 #include "carom/text/level_words.h"
 #include "game/rules/goal.h"
 #include "terminal/panels/pages.h"
@@ -23,7 +23,7 @@ constexpr double load_delay = 0.12;
 constexpr std::size_t most_notes = 3;
 
 /// Columns; narrower windows have a shorter last line.
-constexpr int least_long_footer = 54;
+constexpr int least_long_footer = 62;
 
 constexpr std::array<std::string_view, 2> empty_group = {
     "No level in this folder, and no recording, yet.",
@@ -111,6 +111,11 @@ void Menu::open_group_beside(int step) {
     if (count > 0) open_group((group_ + count + static_cast<std::size_t>(step)) % count);
 }
 
+void Menu::tell(std::string message) {
+    message_ = std::move(message);
+    needs_draw_ = true;
+}
+
 void Menu::search(std::string text) {
     const MenuItem* before = selected();
     search_ = std::move(text);
@@ -188,8 +193,9 @@ MenuPage Menu::page() const {
                   .search = search_,
                   .footer = columns_ < least_long_footer
                                 ? "enter play  <- -> groups  q quit"
-                                : "enter play   <- -> groups   type to search   q quit"};
+                                : "enter play   <- -> groups   type to search   f2 theme   q quit"};
     if (!search_.empty()) page.footer = fmt::format("search: {}   esc clears", search_);
+    if (!message_.empty()) page.footer = message_;
     for (const MenuItem* item : shown()) {
         MenuEntry entry{item->title, item->line, item->badge};
         const auto known = loaded_.find(key_of(*item));

@@ -57,6 +57,8 @@ class Menu {
     void advance(double seconds, const MayGoOn& may_go_on);
     bool needs_draw() const { return needs_draw_; }
     void touch() { needs_draw_ = true; }
+    /// Shows a message in the last line, until the next key.
+    void tell(std::string message);
     void draw(Canvas& canvas, double aspect, const ViewOptions& view);
 
     /// The items of the open group, or those of all groups that match the search; and the selected
@@ -85,6 +87,7 @@ class Menu {
     std::vector<std::string> groups_;  ///< in the order of the items; never empty
     Load load_;
     std::string search_;
+    std::string message_;
     std::size_t group_ = 0;     ///< the open one
     std::size_t selected_ = 0;  ///< index into shown()
     std::map<std::string, LoadedEntry> loaded_;

@@ -12,6 +12,7 @@ constexpr std::size_t most_searched = 60;
 }  // namespace
 
 Menu::Choice Menu::handle(const InputEvent& event) {
+    if (event.action == InputEvent::Action::press) tell({});
     if (event.kind == InputEvent::Kind::mouse) return handle_mouse(event);
     if (event.kind == InputEvent::Kind::key && event.action != InputEvent::Action::release)
         return handle_key(event);

@@ -8,9 +8,9 @@
 
 #include "carom/controllers/pinball_display.h"
 #include "carom/files/high_scores.h"
+#include "carom/files/kept_recordings.h"
 #include "carom/files/menu_list.h"
 #include "carom/files/pool_record.h"
-#include "carom/play/kept_recordings.h"
 #include "carom/play/menu.h"
 #include "game/ai/opponents.h"
 #include "game/rules/goal.h"

@@ -56,9 +56,7 @@ int play_here(const PlayOptions& options) {
     ScreenOptions screen_options;
     screen_options.colors =
         colors_of(options.colors ? options.colors : preferences.preferences.colors);
-    const auto theme = options.theme ? options.theme : preferences.preferences.theme;
     screen_options.light_background = preferences.preferences.light_background;
-    if (theme && theme->is_light) screen_options.light_background = theme->is_light;
     PacingOptions pacing;
     if (options.low_bandwidth) pacing = low_bandwidth_pacing;
     if (const auto fps = options.fps ? options.fps : preferences.preferences.fps)

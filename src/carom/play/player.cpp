@@ -50,7 +50,9 @@ PlayRequest Player::handle(const InputEvent& event) {
     const Action* const action = play_.keys.action_of(key_of(event));
     if (play_.page.is_open()) {
         turn_page(event, action);
-        return PlayRequest::none;
+        // These leave the page, on which they are explained.
+        const bool is_setting = action && (action->name == "theme" || action->name == "change-key");
+        return is_setting ? perform(*action) : PlayRequest::none;
     }
     return action ? perform(*action) : PlayRequest::none;
 }
@@ -166,6 +168,11 @@ void Player::set_keep_going(const KeepGoing& keep_going) {
 
 void Player::set_view(const ViewOptions& view) {
     play_.view.options = view;
+    play_.needs_draw = true;
+}
+
+void Player::set_keys(const KeyMap& keys) {
+    play_.keys = keys;
     play_.needs_draw = true;
 }
 

@@ -52,6 +52,7 @@ class Player {
     void set_keep_going(const KeepGoing& keep_going);
     /// To be called after preferences or the terminal have changed.
     void set_view(const ViewOptions& view);
+    void set_keys(const KeyMap& keys);
     /// What is known of the terminal, which the program sets and the game learns.
     TerminalState& terminal() { return play_.terminal; }
     const TerminalState& terminal() const { return play_.terminal; }

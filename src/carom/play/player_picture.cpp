@@ -80,12 +80,15 @@ std::vector<std::string> explanation_lines(const PlayContext& play) {
 
 constexpr std::string_view back_footer = "any other key: back to the game";
 
-/// Names the key of the page beside this one.
-std::string footer_with(const PlayContext& play, std::string_view action_name,
-                        std::string_view what) {
-    const std::string key = play.keys.hint(action_name);
-    if (key.empty()) return std::string(back_footer);
-    return fmt::format("{}: {}   {}", key, what, back_footer);
+/// Names the keys that lead elsewhere from a page, each with what it does.
+std::string footer_with(
+    const PlayContext& play,
+    std::initializer_list<std::pair<std::string_view, std::string_view>> actions) {
+    std::string footer;
+    for (const auto& [action_name, what] : actions)
+        if (const std::string key = play.keys.hint(action_name); !key.empty())
+            footer += fmt::format("{}: {}   ", key, what);
+    return footer + std::string(back_footer);
 }
 
 std::vector<PageItem> about_items(const LevelWords& words) {
@@ -133,13 +136,15 @@ void Player::draw_page(Canvas& canvas) {
         case CoveringPage::Kind::none:
             return;
         case CoveringPage::Kind::help:
-            extent = draw_help(canvas, play_.keys.help(play_.controller->kind()), page.scroll,
-                               footer_with(play_, "about", "about this level"), look);
+            extent = draw_help(
+                canvas, play_.keys.help(play_.controller->kind()), page.scroll,
+                footer_with(play_, {{"about", "about this level"}, {"change-key", "change a key"}}),
+                look);
             break;
         case CoveringPage::Kind::about:
             extent = draw_about(canvas, session().scene().title, play_.words.goal,
                                 about_items(play_.words), page.scroll,
-                                footer_with(play_, "help", "keys"), look);
+                                footer_with(play_, {{"help", "keys"}}), look);
             break;
         case CoveringPage::Kind::record:
             extent = draw_text_page(canvas, "Your record at pool",

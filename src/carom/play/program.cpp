@@ -69,7 +69,7 @@ ViewOptions Program::view() const {
     ViewOptions view = view_;
     view.look = {.colors = capabilities_.direct_color ? direct_colors : capabilities_.colors,
                  .utf8 = capabilities_.utf8,
-                 .light_background = capabilities_.light_background,
+                 .light_background = theme_.is_light.value_or(capabilities_.light_background),
                  .mosaic = capabilities_.mosaic,
                  .theme = theme_.name,
                  .ground = capabilities_.background};

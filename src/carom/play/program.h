@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "carom/files/level_source.h"
+#include "carom/files/recording.h"
 #include "carom/options/play_options.h"
 #include "carom/play/file_watcher.h"
 #include "carom/play/menu.h"
 #include "carom/play/player.h"
 #include "carom/play/preferences.h"
-#include "carom/play/recording.h"
 #include "carom/play/resume.h"
 #include "carom/play/running_game.h"
 #include "terminal/input/capabilities.h"
@@ -116,6 +116,9 @@ class Program {
     ViewOptions view() const;
     void keep_key_repeat(const RunningGame& game);
     void keep_setting(std::string_view name, std::string_view value);
+    /// Changes to the next theme, and returns its name.
+    std::string_view next_theme();
+    void answer_key(RunningGame& game, const InputEvent& event);
 
     PlayOptions options_;
     Preferences preferences_;

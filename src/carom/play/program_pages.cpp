@@ -52,6 +52,7 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
     const std::size_t most_saves =
         options_.guest ? options_.guest->most_saves : RunningGame::unlimited;
     if (game.prompt) return game.answer(event, most_saves);
+    if (game.key_prompt) return answer_key(game, event);
     const PlayRequest request = game.player.handle(event);
     if (const auto score = game.player.take_high_score())
         keep_score(game.player, game.source.path, *score);
@@ -92,6 +93,12 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
             game.player.say(mouse_ ? "mouse on" : "mouse off: the terminal has it");
             keep_setting("mouse", mouse_ ? "on" : "off");
             break;
+        case PlayRequest::theme:
+            game.player.say(fmt::format("theme: {}", next_theme()));
+            break;
+        case PlayRequest::change_key:
+            game.ask_for_key();
+            break;
         case PlayRequest::resume:
             if (game.offer)
                 resume(*game.offer);
@@ -104,6 +111,11 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
 }
 
 void Program::handle_menu(Menu& menu, const InputEvent& event) {
+    const Action* const action =
+        is_key_press(event) ? preferences_.keys.action_of(key_of(event)) : nullptr;
+    // A key with a character belongs to the search.
+    if (action && action->name == "theme" && event.key >= key::f1)
+        return menu.tell(fmt::format("theme: {}", next_theme()));
     const Menu::Choice choice = menu.handle(event);
     if (std::holds_alternative<Menu::Quit>(choice)) is_over_ = true;
     if (const auto* item = std::get_if<MenuItem>(&choice)) {

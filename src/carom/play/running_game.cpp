@@ -10,11 +10,11 @@
 #include "carom/files/files.h"
 #include "carom/files/guest.h"
 #include "carom/files/high_scores.h"
+#include "carom/files/kept_recordings.h"
 #include "carom/files/level_files.h"
 #include "carom/files/pool_record.h"
 #include "carom/files/user_folders.h"
 #include "carom/play/challenge.h"
-#include "carom/play/kept_recordings.h"
 #include "game/session/amend_level.h"
 #include "game/session/save_level.h"
 
@@ -109,10 +109,34 @@ void RunningGame::ask_for_recording_name() {
 }
 
 void RunningGame::ask(SavePrompt question) {
+    prompt.emplace(std::move(question));
+    wait_for_answer(prompt->text());
+}
+
+void RunningGame::wait_for_answer(const std::string& question) {
     was_paused = player.clock().is_paused();
     player.pause(true);
-    prompt.emplace(std::move(question));
-    player.set_prompt(prompt->text());
+    player.set_prompt(question);
+}
+
+void RunningGame::ask_for_key() {
+    const bool is_pinball = !player.session().scene().table.is_empty();
+    key_prompt.emplace(is_pinball ? KeyLayer::pinball : KeyLayer::common);
+    wait_for_answer(key_prompt->text());
+}
+
+std::optional<KeyPrompt::Changed> RunningGame::answer_key(const InputEvent& event,
+                                                          const KeyMap& keys) {
+    const auto result = key_prompt->handle(event, keys);
+    if (std::holds_alternative<KeyPrompt::Open>(result)) {
+        player.set_prompt(key_prompt->text());
+        return std::nullopt;
+    }
+    key_prompt.reset();
+    player.set_prompt({});
+    player.pause(was_paused);
+    const auto* const changed = std::get_if<KeyPrompt::Changed>(&result);
+    return changed ? std::optional(*changed) : std::nullopt;
 }
 
 void RunningGame::answer(const InputEvent& event, std::size_t most) {

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "carom/files/level_source.h"
+#include "carom/files/recording.h"
 #include "carom/play/file_watcher.h"
+#include "carom/play/key_prompt.h"
 #include "carom/play/player.h"
-#include "carom/play/recording.h"
 #include "carom/play/resume.h"
 #include "carom/play/save_prompt.h"
 #include "physics/version.h"
@@ -30,10 +31,11 @@ struct RunningGame {
     std::vector<FingerprintMark> expected{};  ///< fingerprints of a watched recording
     std::size_t marks_compared = 0;
     std::optional<SavePrompt> prompt{};      ///< while the player is asked for a name
+    std::optional<KeyPrompt> key_prompt{};   ///< while the player is asked for a key
     int stars = 0;                           ///< of the level's goal, kept so far in this game
     std::string entry{};                     ///< the challenge of the menu that it is; empty: none
     std::string stars_name{};                ///< under which they are kept; empty: the level's
-    bool was_paused = false;                 ///< before that question
+    bool was_paused = false;                 ///< before the question
     double messages_faded = 0.0;             ///< the time up to which they have, s
     int recorded_physics = physics_version;  ///< physics version of a watched recording
 
@@ -60,6 +62,10 @@ struct RunningGame {
     /// Keeps the game, from its start to its latest tick, as a recording (kept_recordings.h). An
     /// existing one stays. `most`: recordings that may be kept; the oldest give way.
     void keep_recording(const std::string& name, std::size_t most = unlimited);
+    /// Asks for a key to change; the game waits.
+    void ask_for_key();
+    /// Answers that question. The answer, once there is one, is for the caller to act on.
+    std::optional<KeyPrompt::Changed> answer_key(const InputEvent& event, const KeyMap& keys);
     /// Adds what has been played at pool since the last call to the player's record. `all`: also of
     /// a match that goes on.
     void keep_pool_record(bool all);
@@ -69,6 +75,7 @@ struct RunningGame {
 
   private:
     void ask(SavePrompt question);
+    void wait_for_answer(const std::string& question);
 };
 
 }  // namespace carom

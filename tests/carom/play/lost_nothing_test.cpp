@@ -10,8 +10,8 @@
 
 #include "carom/cli/run.h"
 #include "carom/files/high_scores.h"
+#include "carom/files/recording.h"
 #include "carom/play/preferences.h"
-#include "carom/play/recording.h"
 #include "carom/play/resume.h"
 #include "carom/support/file_faults.h"
 #include "carom/support/home.h"

@@ -183,6 +183,72 @@ TEST_CASE("settings changed by keys are kept, and so are a person's comments") {
 }
 
 // Regression: the failure was ignored silently.
+TEST_CASE("a key is changed in play: the other key takes its place, and both are kept") {
+    const Home home;
+    Running running(playing("test.level"));
+    REQUIRE_FALSE(running.program.start());
+    running.key(key::f1 + 2);
+    CHECK(running.sees("Press the key that you want to change"));
+    running.key(U'Q');
+    CHECK(running.sees("Q does nothing."));
+    running.key(U'g');
+    CHECK(running.sees("g: gravity on, off. Press its new key."));
+    running.key(U'v');
+    CHECK(running.sees("v: gravity on, off.  g: next renderer."));
+    CHECK(contents(home.preferences()).find("v = gravity") != std::string::npos);
+    CHECK(contents(home.preferences()).find("g = renderer") != std::string::npos);
+    running.key(U'c');  // ends the message
+    CHECK_FALSE(running.sees("gravity"));
+    running.key(U'v');
+    CHECK(running.sees("gravity"));
+    running.key(U'?');
+    CHECK(running.sees("f3: change a key"));
+    running.key(key::f1 + 2);  // leaves the page
+    CHECK(running.sees("Press the key that you want to change"));
+    running.key(key::escape);
+    CHECK_FALSE(running.sees("Press the key"));
+    CHECK_FALSE(running.program.is_over());
+}
+
+TEST_CASE("a flipper key is changed at a pinball table, and the hints name the new one") {
+    const Home home;
+    PlayOptions options;
+    options.level = "three-bumpers";
+    {
+        Running running(options);
+        REQUIRE_FALSE(running.program.start());
+        CHECK(running.sees("Flippers: z and /"));
+        running.key(key::f1 + 2);
+        running.key(U'z');
+        CHECK(running.sees("z: left flipper. Press its new key."));
+        running.key(U'a');
+        CHECK(running.sees("a: left flipper."));
+        CHECK(running.sees("Flippers: a and /"));
+    }
+    CHECK(contents(home.preferences()) == "a = left-flipper\n");
+    Running again(options, contents(home.preferences()));
+    REQUIRE_FALSE(again.program.start());
+    CHECK(again.sees("Flippers: a and /"));
+}
+
+TEST_CASE("the theme changes by a key, in play and in the menu, and is kept") {
+    const Home home;
+    Running running(playing("test.level"));
+    REQUIRE_FALSE(running.program.start());
+    running.key(key::f1 + 1);
+    CHECK(running.sees("theme: contrast"));
+    CHECK(contents(home.preferences()) == "theme = contrast\n");
+    running.key(key::escape);
+    CHECK(running.sees("f2 theme"));
+    running.key(key::f1 + 1);
+    CHECK(running.sees("theme: color-blind"));
+    CHECK(contents(home.preferences()) == "theme = color-blind\n");
+    running.key(key::down);
+    CHECK_FALSE(running.sees("theme: color-blind"));
+    running.key(key::f1 + 1);
+    CHECK(running.sees("theme: auto"));
+}
+
 TEST_CASE("preferences that cannot be written are reported once, and the game continues") {
     const Home home;
     const auto is_told = [&] {

@@ -1,4 +1,4 @@
-#include "carom/play/kept_recordings.h"
+#include "carom/files/kept_recordings.h"
 
 #include <fmt/format.h>
 
@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "carom/files/files.h"
+#include "carom/files/recording.h"
 #include "carom/files/user_folders.h"
-#include "carom/play/recording.h"
 
 namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view extension = ".replay";
+constexpr std::string_view recording_extension = ".replay";
 /// A longer file is listed without its level and length: reading it would delay the menu. Bytes.
 constexpr std::size_t most_looked_at = std::size_t{4} << 20;
 
@@ -40,7 +40,7 @@ std::optional<std::string> recordings_folder() {
 }
 
 std::string recording_path(const std::string& name) {
-    return recordings_folder().value_or(".") + "/" + name + std::string(extension);
+    return recordings_folder().value_or(".") + "/" + name + std::string(recording_extension);
 }
 
 std::vector<KeptRecording> kept_recordings() {
@@ -49,7 +49,8 @@ std::vector<KeptRecording> kept_recordings() {
     std::error_code error;
     if (folder)
         for (const auto& entry : fs::directory_iterator(*folder, error))
-            if (entry.path().extension() == extension && is_recording(entry.path().string()))
+            if (entry.path().extension() == recording_extension &&
+                is_recording(entry.path().string()))
                 files.emplace_back(entry.last_write_time(error), entry.path().string());
     std::ranges::sort(files, std::greater{});
     std::vector<KeptRecording> recordings;

@@ -1,4 +1,4 @@
-#include "carom/play/recording.h"
+#include "carom/files/recording.h"
 
 #include <fmt/format.h>
 
