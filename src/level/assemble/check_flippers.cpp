@@ -44,6 +44,53 @@ std::optional<Step> step_to(const Capsule& bat, const Flipper& flipper, Vec2 up,
     return nearest;
 }
 
+// The space between the tips of two flippers at rest that point towards each other; none: they do
+// not, so that a ball lies on one of them at most.
+std::optional<double> space_between_tips(const CapsuleIr& one, const Flipper& flipper,
+                                         const CapsuleIr& other, const Flipper& second) {
+    const Vec2 apart = other.shape.end - one.shape.end;
+    if (dot(apart, flipper.rest) < 0.0 || dot(apart, second.rest) > 0.0) return std::nullopt;
+    if (dot(flipper.rest, second.rest) > least_in_line) return std::nullopt;
+    return length(apart) - one.shape.radius - other.shape.radius;
+}
+
+// A ball that cannot fall between two flippers lies on both for ever.
+void check_tips(double ball, const ResolvedNames& names, Context& context) {
+    const LevelIr& ir = context.ir;
+    const auto flipper_of = [&](const CapsuleIr& capsule) -> const Flipper* {
+        if (capsule.device < 0) return nullptr;
+        const auto& flipper = ir.devices[static_cast<std::size_t>(capsule.device)].flipper;
+        return flipper ? &*flipper : nullptr;
+    };
+    const auto layer_of = [&](const CapsuleIr& capsule) {
+        return names
+            .material_layers[names.edges[static_cast<std::size_t>(capsule.binding)].material];
+    };
+    std::vector<const CapsuleIr*> bats;
+    for (const CapsuleIr& capsule : ir.capsules) {
+        const Flipper* const flipper = flipper_of(capsule);
+        if (!flipper) continue;
+        for (const CapsuleIr* other : bats) {
+            if (layer_of(*other) != layer_of(capsule)) continue;
+            const auto space = space_between_tips(*other, *flipper_of(*other), capsule, *flipper);
+            if (!space || *space >= 2.0 * ball) continue;
+            const auto in_units = [&](double value) {
+                return fmt::format("{}{}", written(value, Measure::length, context.unit),
+                                   symbol(context.unit));
+            };
+            context.reporter.warning(
+                "flippers-too-close", capsule.origin.span(),
+                *space > 0.0
+                    ? fmt::format("no ball can pass the gap of {} between the flippers' tips",
+                                  in_units(*space))
+                    : std::string("no ball can pass between the flippers' tips, which touch"),
+                fmt::format("shorten them, or move them apart: a gap of {} is usual",
+                            in_units(3.0 * ball)));
+        }
+        bats.push_back(&capsule);
+    }
+}
+
 }  // namespace
 
 void check_flippers(const std::vector<StartingBall>& balls, const ResolvedNames& names,
@@ -51,6 +98,7 @@ void check_flippers(const std::vector<StartingBall>& balls, const ResolvedNames&
     const LevelIr& ir = context.ir;
     if (balls.empty()) return;
     const double ball = balls.front().radius;
+    check_tips(ball, names, context);
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < ir.capsules.size(); ++i) {
         const ResolvedEdges& drawn = names.edges[static_cast<std::size_t>(ir.capsules[i].binding)];

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "level/ir/numbers.h"
+#include "level/statements/rule_habits.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -277,6 +279,11 @@ bool read_rule_action(std::span<const Word> words, const Scope& scope, Context& 
                       RuleWords& reader, RuleIr& rule) {
     const ActionShape* shape = shape_named(words[0], context);
     if (!shape) {
+        if (auto advice = advice_on_action(words[0].text, context)) {
+            context.reporter.error("action-malformed", words[0].span(), std::move(advice->message),
+                                   std::move(advice->remedy));
+            return false;
+        }
         std::vector<std::string_view> known = names_offered(context);
         const std::string all = fmt::format("{}", fmt::join(known, " "));
         for (const auto& [name, symbol] : context.ir.rule_symbols)
@@ -291,12 +298,12 @@ bool read_rule_action(std::span<const Word> words, const Scope& scope, Context& 
     const Counts counts = words_of(shape->takes);
     if (words.size() < counts.least || words.size() > counts.most) {
         const bool is_long = words.size() > counts.most;
-        const Word& at = is_long ? words[counts.most] : words[0];
-        context.reporter.error(
-            "action-malformed", at.span(),
-            is_long ? fmt::format("'{}' is not expected here", at.text)
-                    : fmt::format("{} is not complete", words[0].text),
-            fmt::format("write it as: {}, with a comma before the next", shape->sample));
+        RuleAdvice advice = is_long
+                                ? advice_on_extra_word(words, counts.most, shape->sample, context)
+                                : RuleAdvice{fmt::format("{} is not complete", words[0].text),
+                                             fmt::format("write it as: {}", shape->sample)};
+        context.reporter.error("action-malformed", words[is_long ? counts.most : 0].span(),
+                               std::move(advice.message), std::move(advice.remedy));
         return false;
     }
     RuleAction action;

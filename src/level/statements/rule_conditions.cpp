@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "level/statements/rule_habits.h"
 #include "level/statements/rule_words.h"
 
 // The conditions of rules, and their texts with values in braces: members of RuleWords.
@@ -32,6 +33,12 @@ constexpr std::string_view sign_characters = "<>=!";
 
 }  // namespace
 
+std::nullopt_t RuleWords::refuse(const Word& at, RuleAdvice advice) {
+    context_.reporter.error("condition-malformed", at.span(), std::move(advice.message),
+                            std::move(advice.remedy));
+    return std::nullopt;
+}
+
 std::optional<RuleCondition> RuleWords::comparison(const Word& left, std::string_view sign,
                                                    const Word& right) {
     RuleCondition made;
@@ -48,6 +55,7 @@ std::optional<RuleCondition> RuleWords::comparison(const Word& left, std::string
 std::optional<RuleCondition> RuleWords::condition(const std::vector<Word>& words,
                                                   std::size_t& next) {
     const Word& word = words[next];
+    if (auto advice = advice_on_condition(word.text)) return refuse(word, std::move(*advice));
     const std::size_t at = word.text.find_first_of(sign_characters);
     if (at != std::string_view::npos && at > 0) {
         const Sign* sign = sign_at(word.text.substr(at));
@@ -111,11 +119,9 @@ std::optional<std::vector<RuleClause>> RuleWords::clauses(const std::vector<Word
         } while (next < words.size() && words[next].text == "and");
         made.push_back(std::move(clause));
     }
-    if (!made.empty() && next < words.size() && words[next].text == "or") {
-        context_.reporter.error("condition-or", words[next].span(), "conditions know no 'or'",
-                                "write the line twice, once with each condition");
-        return std::nullopt;
-    }
+    if (!made.empty() && next < words.size())
+        if (auto advice = advice_on_condition(words[next].text))
+            return refuse(words[next], std::move(*advice));
     return made;
 }
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "level/ir/numbers.h"
+#include "level/statements/rule_habits.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -77,9 +79,9 @@ bool RuleWords::mentions_rules(std::string_view text) const {
 }
 
 std::nullopt_t RuleWords::malformed(const Word& at) {
-    context_.reporter.error(
-        "rule-value-malformed", at.span(), fmt::format("'{}' is no value of a rule", at.text),
-        "write a number, a variable, or + - * of them without spaces: 100*mode");
+    RuleAdvice advice = advice_on_value(at.text);
+    context_.reporter.error("rule-value-malformed", at.span(), std::move(advice.message),
+                            std::move(advice.remedy));
     return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "level/ir/context.h"
+#include "level/statements/rule_habits.h"
 
 /// The pieces of a rule: values, conditions and texts. Names of devices, balls and places are
 /// appended to `names`, and their indices refer to it (RuleIr).
@@ -46,6 +47,7 @@ class RuleWords {
     bool push_name(const Word& word, RuleValue& out);
     bool push_number(const Word& word, RuleValue& out);
     std::nullopt_t malformed(const Word& at);
+    std::nullopt_t refuse(const Word& at, RuleAdvice advice);
     std::optional<RuleCondition> condition(const std::vector<Word>& words, std::size_t& next);
     std::optional<RuleCondition> comparison(const Word& left, std::string_view sign,
                                             const Word& right);

@@ -113,7 +113,7 @@ class RuleReader {
 
     bool refuse_event(const Word& word, const std::vector<std::string_view>& known) {
         context_.reporter.error(
-            "unknown-event", word.span(), fmt::format("there is no '{}' to wait for", word.text),
+            "unknown-event", word.span(), fmt::format("there is no event '{}'", word.text),
             did_you_mean(word.text, known, fmt::format("write {}", fmt::join(known, ", "))));
         return false;
     }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "level/ir/context.h"
+
+/// Advice for what authors write in rules out of habit from other languages: `==`, `else`, `not`,
+/// `made = 1`, a condition behind the action.
+namespace carom {
+
+struct RuleAdvice {
+    std::string message;
+    std::string remedy;
+};
+
+/// Where a condition is expected, or the word behind a condition. None: the word has no such habit.
+std::optional<RuleAdvice> advice_on_condition(std::string_view word);
+
+/// A value that cannot be read.
+RuleAdvice advice_on_value(std::string_view text);
+
+/// An action that is not known. None: it resembles nothing.
+std::optional<RuleAdvice> advice_on_action(std::string_view word, const Context& context);
+
+/// An action with a word too many, which is words[extra]. `sample` shows its form.
+RuleAdvice advice_on_extra_word(std::span<const Word> words, std::size_t extra,
+                                std::string_view sample, const Context& context);
+
+}  // namespace carom
