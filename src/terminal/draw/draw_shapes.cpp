@@ -156,7 +156,8 @@ void paint_zones(Raster& raster, const View& view) {
         const auto color = color_in(view.scene.dress.zones, i);
         const Ink ink = color ? dress_ink(*color, view.options.look) : plain_ink;
         raster.capsule(start, end, radius, {ink, 120, '\0'});
-        if (radius > 2.0 * rim) raster.capsule(start, end, radius - rim, {ink, 0, '\0'});
+        // One with a colour of its own is filled, as a pond is: clearing it would clear the board.
+        if (!color && radius > 2.0 * rim) raster.capsule(start, end, radius - rim, {ink, 0, '\0'});
     }
 }
 
