@@ -1,9 +1,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "game/support/shipped.h"
 #include "game/support/shots_game.h"
@@ -119,6 +121,82 @@ TEST_CASE("three-cushion: the opening shot scores off the red, by three cushions
             }
     CHECK(std::ranges::any_of(stories,
                               [](const std::string& story) { return story.starts_with("1ccc"); }));
+}
+
+// A place in diamonds: 0,0 is the lower left corner of the cloth, 8,4 the upper right one.
+Vec2 in_diamonds(double x, double y) {
+    constexpr double diamond = 0.355;
+    return {(x - 4.0) * diamond, (y - 2.0) * diamond};
+}
+
+// Three-cushion with the balls at these places: white, yellow, red.
+Scene placed(std::array<Vec2, 3> places) {
+    Scene scene = shipped_level("three-cushion");
+    for (std::size_t i = 0; i < places.size(); ++i)
+        scene.world.edit_balls().position[i] = places[i];
+    return scene;
+}
+
+command::Strike struck(const ShotsGame& game, Vec2 way, double speed, double side) {
+    const Vec2 velocity = way * (speed / std::hypot(way.x, way.y));
+    return {*cue_ball_of(game.session.scene(), game.state()), velocity, side};
+}
+
+// "The Diamond System" (E. Perreault with the Billard Club Sottevillais): aim = start - finish,
+// with running side and the tip on the equator. The start is 50, the corner; the aim counts ten a
+// diamond along the first long rail from its far end, the finish along the other from there. Lines
+// go through the diamonds, 90 mm behind the noses, and a finish faces its diamond at the nose.
+TEST_CASE("three-cushion: the diamond system finds the third cushion within 0.6 diamonds") {
+    constexpr double behind = 0.09;
+    for (const double aim : {20.0, 25.0, 30.0, 35.0, 40.0}) {
+        const double finish = 50.0 - aim;
+        CAPTURE(aim);
+        const Vec2 corner = in_diamonds(0.0, 0.0) - Vec2{behind, behind};
+        const Vec2 target = in_diamonds(8.0 - aim / 10.0, 4.0) + Vec2{0.0, behind};
+        const Vec2 way = target - corner;
+        const Vec2 start = corner + way * (0.4 / std::hypot(way.x, way.y));
+        ShotsGame game(placed({start, in_diamonds(0.5, 3.6), in_diamonds(1.2, 3.6)}));
+        REQUIRE_FALSE(game.session.apply(struck(game, way, 4.0, 0.3)));
+        std::vector<Vec2> cushions;
+        while (game.state().is_shooting && cushions.size() < 3) {
+            game.session.step_forward();
+            for (const Contact& contact : game.session.contacts())
+                if (contact.kind == ContactKind::ball_edge) cushions.push_back(contact.point);
+        }
+        REQUIRE(cushions.size() >= 3);
+        CHECK(cushions[0].y == doctest::Approx(0.71));
+        CHECK(cushions[1].x == doctest::Approx(1.42));
+        CHECK(cushions[2].y == doctest::Approx(-0.71));
+        const double reached = (in_diamonds(8.0, 0.0).x - cushions[2].x) / 0.355 * 10.0;
+        CHECK(std::abs(reached - finish) < 6.0);
+    }
+}
+
+// A worked example of the same system, from the exercises that came with Pool.ma, a notebook for
+// Mathematica: from 2,2 towards 4.5 on the south cushion, the cue ball meets balls at 5,3 and
+// 5,2.5.
+TEST_CASE("three-cushion: a shot of the diamond system scores by three cushions first") {
+    ShotsGame game(placed({in_diamonds(2.0, 2.0), in_diamonds(5.0, 3.0), in_diamonds(5.0, 2.5)}));
+    const Vec2 way = in_diamonds(4.5, 0.0) - in_diamonds(2.0, 2.0);
+    CHECK(story_of(game, struck(game, way, 4.0, -0.3)) == "ccc12");
+    CHECK(game.score(0) == 1);
+    CHECK(game.state().rules.player == 0);
+    CHECK(game.state().message == "3 cushions: a point");
+}
+
+// From the same place, by the short way off one cushion: both balls are met, and it is no point.
+TEST_CASE("three-cushion: both balls by fewer cushions is no point, and says why") {
+    ShotsGame game(placed({in_diamonds(2.0, 2.0), in_diamonds(5.0, 2.02), in_diamonds(7.0, 2.0)}));
+    bool is_met = false;
+    for (int degrees = -20; degrees <= 20 && !is_met; ++degrees) {
+        const double angle = 0.1 * degrees * 3.14159265358979323846 / 180.0;
+        const command::Strike strike = struck(game, {std::cos(angle), std::sin(angle)}, 5.0, 0.0);
+        const ShotsState after = game.after(strike);
+        is_met = after.message.starts_with("no point: ") &&
+                 after.message.ends_with(" cushions before the second ball");
+        if (is_met) CHECK(after.players[0].score == 0);
+    }
+    CHECK(is_met);
 }
 
 TEST_CASE("cushion caroms: one cushion anywhere before the second ball is enough") {
