@@ -138,6 +138,7 @@ void Run::simulate() {
 
 void Run::finish(const std::string& level) {
     record_.tallies = tallies(game_);
+    record_.variables = variables(input_.scene, game_);
     if (const RuleState* rules = rule_state(game_)) {
         record_.actions_left_out = rules->left_out;
         record_.first_left_out = rules->first_left_out;

@@ -21,7 +21,48 @@ std::string words_of(std::string_view line) {
     return text;
 }
 
+// An example of each command, for messages.
+constexpr std::string_view examples[] = {"strike 0 1.5,-2",
+                                         "hold-ball 3 10,20",
+                                         "drop-ball 3",
+                                         "hold-edge 2 0,0 10,5",
+                                         "drop-edge 2",
+                                         "place-ball 3 4,5",
+                                         "place-edge 2 0,0 10,6",
+                                         "add-ball 0 5,5 1,0",
+                                         "remove-ball 4",
+                                         "add-edge 0 0,0 10,0 0.5 both",
+                                         "remove-edge 5",
+                                         "gravity 0,-9.81",
+                                         "solver swept",
+                                         "press left",
+                                         "release left",
+                                         "pull 0.25",
+                                         "launch 0.25",
+                                         "call pot 3 1",
+                                         "decide take-table",
+                                         "rack",
+                                         "time-out"};
+
+std::string_view keyword_of(std::string_view command) {
+    return command.substr(0, command.find(' '));
+}
+
+std::string advice_on(std::string_view keyword) {
+    for (const std::string_view example : examples)
+        if (keyword_of(example) == keyword)
+            return "write for example: at 120 " + std::string(example);
+    std::string all = "there are:";
+    for (const std::string_view example : examples)
+        all.append(" ").append(keyword_of(example));
+    return all;
+}
+
 }  // namespace
+
+std::span<const std::string_view> command_examples() {
+    return examples;
+}
 
 std::variant<CommandScript, ReplayError> read_script(std::string_view text) {
     CommandScript script;
@@ -41,13 +82,11 @@ std::variant<CommandScript, ReplayError> read_script(std::string_view text) {
         const std::string_view rest = words.rest();
         const auto command = read_command(words);
         if (!command)
-            return ReplayError{line, "there is no such command",
-                               "docs/command-line.md lists the commands"};
+            return ReplayError{line, "there is no such command", advice_on(keyword_of(rest))};
         if (!words.done())
-            return ReplayError{line,
-                               "'" + std::string(rest.substr(0, rest.find(' '))) +
-                                   "' is not complete or not right",
-                               "docs/command-line.md lists the commands with their numbers"};
+            return ReplayError{
+                line, "'" + std::string(keyword_of(rest)) + "' is not complete or not right",
+                advice_on(keyword_of(rest))};
         if (!script.commands.empty() && tick < script.commands.back().tick)
             return ReplayError{line, "the ticks go back",
                                "put the commands in the order of their ticks"};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -28,6 +29,9 @@ struct CommandScript {
 /// Blanks may be repeated, lines may end with CR LF, and a comment goes from # to the end of its
 /// line. An empty script is no error.
 std::variant<CommandScript, ReplayError> read_script(std::string_view text);
+
+/// An example of each command, for messages: "strike 0 1.5,-2".
+std::span<const std::string_view> command_examples();
 
 /// Executes commands at their ticks, in a world that the caller advances.
 class ScriptRunner {

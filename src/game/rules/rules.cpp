@@ -20,12 +20,21 @@ std::int64_t product(std::int64_t a, std::int64_t b) {
     return a * b;
 }
 
-// The place of a variable's value in RuleState::values.
-std::size_t slot_of(const RuleBook& book, const RuleState& state, std::size_t variable) {
+std::size_t slots_of(const RuleBook& book, std::size_t variable) {
+    return book.variables[variable].scope == RuleScope::player ? book.players : 1;
+}
+
+// The place of a variable's first value in RuleState::values.
+std::size_t first_slot_of(const RuleBook& book, std::size_t variable) {
     std::size_t slot = 0;
     for (std::size_t i = 0; i < variable; ++i)
-        slot += book.variables[i].scope == RuleScope::player ? book.players : 1;
-    return slot + (book.variables[variable].scope == RuleScope::player ? state.player : 0);
+        slot += slots_of(book, i);
+    return slot;
+}
+
+// The place of a variable's value, for the player whose turn it is.
+std::size_t slot_of(const RuleBook& book, const RuleState& state, std::size_t variable) {
+    return first_slot_of(book, variable) + (slots_of(book, variable) > 1 ? state.player : 0);
 }
 
 std::int64_t operand(const RuleBook& book, const RuleState& state, const RuleHost& host,
@@ -146,6 +155,11 @@ RuleState begin_rules(const RuleBook& book) {
                             variable.scope == RuleScope::player ? book.players : 1, variable.start);
     state.timer_ends.assign(book.timers.size(), 0);
     return state;
+}
+
+std::span<const std::int64_t> values_of(const RuleBook& book, const RuleState& state,
+                                        std::size_t variable) {
+    return std::span(state.values).subspan(first_slot_of(book, variable), slots_of(book, variable));
 }
 
 void begin_scope(const RuleBook& book, RuleState& state, RuleScope scope) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +54,10 @@ RuleState begin_rules(const RuleBook& book);
 /// Sets the variables of this scope to their start; those of a player for the player whose turn it
 /// is. For RuleScope::turn and shot.
 void begin_scope(const RuleBook& book, RuleState& state, RuleScope scope);
+
+/// The values of variable number `variable`: of each player in turn, or one.
+std::span<const std::int64_t> values_of(const RuleBook& book, const RuleState& state,
+                                        std::size_t variable);
 
 /// An event of a device, of a timer, or without a subject: carries out the rules that wait for it.
 /// Events that actions cause go no deeper than 8.

@@ -278,6 +278,17 @@ std::vector<std::pair<std::string, std::int64_t>> tallies(const GameState& game)
     return all;
 }
 
+std::vector<std::pair<std::string, std::vector<std::int64_t>>> variables(const Scene& scene,
+                                                                         const GameState& game) {
+    std::vector<std::pair<std::string, std::vector<std::int64_t>>> all;
+    const RuleState* const rules = rule_state(game);
+    for (std::size_t i = 0; rules && i < scene.rules.variables.size(); ++i) {
+        const auto values = values_of(scene.rules, *rules, i);
+        all.emplace_back(scene.rules.variables[i].name, std::vector(values.begin(), values.end()));
+    }
+    return all;
+}
+
 const GoalState* goal_state(const GameState& game) {
     if (const auto* shots = std::get_if<ShotsState>(&game)) return &shots->goal;
     if (const auto* pinball = std::get_if<PinballState>(&game)) return &pinball->goal;

@@ -61,6 +61,10 @@ std::size_t bytes_of(const GameState& game);
 /// The numbers that reports list, by name: score, ball, ...
 std::vector<std::pair<std::string, std::int64_t>> tallies(const GameState& game);
 
+/// The variables of the level's rules: of each player in turn, or one value. In their order.
+std::vector<std::pair<std::string, std::vector<std::int64_t>>> variables(const Scene& scene,
+                                                                         const GameState& game);
+
 /// The state of the level's rules; null: it has none.
 const RuleState* rule_state(const GameState& game);
 /// The state of the level's goal; null: it has none.

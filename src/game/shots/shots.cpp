@@ -70,6 +70,8 @@ void end_shot(ShotsPlay& play) {
     play.state.rested = 0;
     happen(play.rules(), RuleEvent::shot_ends);
     happen(play.rules(), RuleEvent::shot_judged);
+    // Before the next turn begins, with which variables of a turn start again.
+    note_goal(play.scene.rules, play.state.rules, play, play.state.goal);
     conclude(play);
 }
 

@@ -102,6 +102,25 @@ void write_counters(JsonWriter& json, const Scene& scene, const World& world,
     json.end_object();
 }
 
+// Nothing where the level's rules have none.
+void write_variables(JsonWriter& json, const RunRecord& record) {
+    if (record.variables.empty()) return;
+    json.key("variables");
+    json.begin_object(Layout::lines);
+    for (const auto& [name, values] : record.variables) {
+        if (values.size() == 1) {
+            json.field(name, values.front());
+            continue;
+        }
+        json.key(name);
+        json.begin_list(Layout::one_line);
+        for (const std::int64_t value : values)
+            json.value(value);
+        json.end_list();
+    }
+    json.end_object();
+}
+
 // "a.x 0.5m within 0.01m", "a.x < 0.5m always".
 // "it is 0.7m", "it is 0.7m at 1.25 s".
 void write_expects(JsonWriter& json, const Scene& scene, const RunRecord& record) {
@@ -196,6 +215,7 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     for (const Figure& figure : figures())
         if (figure.is_in_run) write_figure(json, figure, record.watch.value(figure, world));
     write_counters(json, scene, world, record);
+    write_variables(json, record);
     write_expects(json, scene, record);
     write_observed(json, record.watch.observer(), world);
     write_notes(json, record);

@@ -35,6 +35,9 @@ struct RunRecord {
     std::vector<Judgement> judgements;
     /// The counts of a game, by name; noted at the end.
     std::vector<std::pair<std::string, std::int64_t>> tallies;
+    /// The variables of the level's rules, by name: of each player in turn, or one value; noted at
+    /// the end.
+    std::vector<std::pair<std::string, std::vector<std::int64_t>>> variables;
     /// Actions of the level's rules beyond what a tick may carry out, and the tick of the first;
     /// noted at the end.
     std::uint64_t actions_left_out = 0;

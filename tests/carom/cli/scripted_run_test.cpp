@@ -73,6 +73,29 @@ TEST_CASE("a script of commands runs, is recorded, and the recording runs to the
               "\"solver\": \"event\""));
 }
 
+TEST_CASE("the report of a game has the variables of its rules") {
+    const TemporaryFolder folder;
+    const std::string level = folder.file("game.level",
+                                          "carom 1 \"Game\"\n"
+                                          "use cloth slide=0.2 roll=0.05 spin=10 g=10\n"
+                                          "box 0,0 40,20\n"
+                                          "ball white at=5,10\n"
+                                          "cue ball=white power=0..20\n"
+                                          "game shots players=2\n"
+                                          "var rails of shot\n"
+                                          "var made of player start=3\n"
+                                          "on cue rail  rails +1\n"
+                                          "on shot ends if rails=1  made +1, turn\n"
+                                          "on shot judged if made=9  end\n");
+    const std::string script = folder.file("shot.txt", "at 5 strike 0 0,4.5\n");
+    const Finished run =
+        run_carom({"run", level, "--time", "20", "--commands", script, "--report", "-"});
+    CHECK(run.exit_code == 0);
+    CHECK(has(run.out, "\"variables\": {\n    \"rails\": 1,\n    \"made\": [4, 3]\n  }"));
+    CHECK_FALSE(
+        has(run_carom({"run", "cradle", "--time", "1", "--report", "-"}).out, "\"variables\""));
+}
+
 TEST_CASE("a recording decides its level, rate, seed and commands") {
     const Folder folder;
     REQUIRE(

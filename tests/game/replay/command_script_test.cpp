@@ -28,6 +28,20 @@ TEST_CASE("a script of commands is read, with its comments, blanks and line ends
     CHECK(std::get<CommandScript>(read_script("")).commands.empty());
 }
 
+TEST_CASE("a command that is wrong gets an example of it as advice") {
+    std::vector<bool> has_example(std::variant_size_v<Command>);
+    for (const std::string_view example : command_examples()) {
+        CAPTURE(example);
+        const auto read = read_script("at 3 " + std::string(example) + "\n");
+        REQUIRE(std::holds_alternative<CommandScript>(read));
+        has_example[std::get<CommandScript>(read).commands.front().command.index()] = true;
+    }
+    CHECK(has_example == std::vector<bool>(std::variant_size_v<Command>, true));
+    const auto wrong = read_script("at 10 strike 3 0\n");
+    REQUIRE(std::holds_alternative<ReplayError>(wrong));
+    CHECK(std::get<ReplayError>(wrong).remedy == "write for example: at 120 strike 0 1.5,-2");
+}
+
 TEST_CASE("errors in a script are reported with their line") {
     struct Bad {
         std::string text;

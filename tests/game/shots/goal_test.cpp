@@ -167,6 +167,24 @@ TEST_CASE("a recording of a game by rules is verified, also beyond the limit of 
     CHECK(stars_of(replayer.session().game()) == 3);
 }
 
+TEST_CASE("a goal is judged at the end of a shot, before the next player's turn begins") {
+    const Scene scene = scene_of(std::string(table) +
+                                 "game shots players=2\nvar hits of turn\n"
+                                 "on cue hit red  hits +1\n"
+                                 "on shot ends  turn\n"
+                                 "on shot judged if shots=9  end\n"
+                                 "goal \"Hit it.\" within 1 2 shots if hits\n");
+    Session session(scene, {.kind = SolverKind::event});
+    session.step_forward();
+    const auto& state = std::get<ShotsState>(session.game());
+    REQUIRE_FALSE(session.apply(command::Strike{*cue_ball_of(scene, state), {1.5, 0.0}}));
+    while (std::get<ShotsState>(session.game()).is_shooting)
+        session.step_forward();
+    CHECK(std::get<ShotsState>(session.game()).rules.player == 1);
+    CHECK(variables(scene, session.game()).front().second.front() == 0);
+    CHECK(stars_of(session.game()) == 3);
+}
+
 TEST_CASE("a goal may count a value of the rules: three stars for the most") {
     const std::string rules =
         "game shots\nvar made\nvar tried\non cue hit red once  made +1\n"
