@@ -10,10 +10,12 @@
 namespace carom {
 namespace {
 
-double restitution_of(const World& world, std::size_t ball) {
-    const Balls& balls = world.balls();
-    return balls.restitution.empty() ? world.kinds()[balls.kind[ball]].restitution
-                                     : balls.restitution[ball];
+// With the values that the ball has where its spec may leave them out.
+BallSpec complete_spec(const World& world, std::size_t ball) {
+    BallSpec spec = spec_of(world, ball);
+    if (!spec.restitution) spec.restitution = world.kinds()[spec.kind].restitution;
+    if (!spec.roll) spec.roll = spec.velocity;
+    return spec;
 }
 
 double spin_at(const World& world, std::size_t ball) {
@@ -47,7 +49,7 @@ std::string obstacle_of(const Scene& scene, const World& world) {
 class AmendmentWriter {
   public:
     AmendmentWriter(const Scene& scene, const World& world)
-        : scene_(scene), world_(world), has_units_(scene.unit != LengthUnit::natural) {}
+        : scene_(scene), world_(world), units_(scene.unit != LengthUnit::natural) {}
 
     std::string write() {
         if (!(world_.model().gravity == scene_.world.model().gravity))
@@ -62,17 +64,10 @@ class AmendmentWriter {
     }
 
   private:
-    std::string with_unit(double value, std::string_view unit) const {
-        return fmt::format("{}{}", value, has_units_ ? unit : "");
-    }
-    std::string with_unit(Vec2 value, std::string_view unit) const {
-        return with_unit(value.x, unit) + "," + with_unit(value.y, unit);
+    std::string with_unit(const auto& value, std::string_view unit) const {
+        return units_.text(value, unit);
     }
     std::string place(Vec2 value) const { return with_unit(value, "m"); }
-
-    std::string spin_text(double spin) const {
-        return has_units_ ? fmt::format("{}rad/s", spin_of(spin)) : fmt::format("{}", spin);
-    }
 
     std::string ball_name(BallId id) const {
         const std::uint32_t i = number(id);
@@ -108,7 +103,7 @@ class AmendmentWriter {
         if (!(balls.velocity[now] == start.balls().velocity[before]))
             changes += " v=" + with_unit(balls.velocity[now], "m/s");
         if (spin_at(world_, now) != spin_at(start, before))
-            changes += " w=" + spin_text(spin_at(world_, now));
+            changes += " w=" + units_.spin_text(spin_at(world_, now));
         // Without roll= a ball rolls as it moves, also after a new velocity.
         if (!balls.roll.empty() && (!(roll_at(world_, now) == roll_at(start, before)) ||
                                     !(roll_at(world_, now) == balls.velocity[now])))
@@ -149,8 +144,9 @@ class AmendmentWriter {
             if (!index) continue;
             const Seesaw& before = scene_.world.seesaws()[*index];
             if (now.angle == before.angle && now.rate == before.rate) continue;
-            text_ += fmt::format("move {} tilt={} turning={}\n", edge_name(now.capsule),
-                                 with_unit(degrees_of(now.angle), "deg"), spin_text(now.rate));
+            text_ +=
+                fmt::format("move {} tilt={} turning={}\n", edge_name(now.capsule),
+                            with_unit(degrees_of(now.angle), "deg"), units_.spin_text(now.rate));
         }
     }
 
@@ -175,18 +171,13 @@ class AmendmentWriter {
                 "ball {}at={} v={} r={} m={}", kind == "ball" ? "" : "kind=" + kind + " ",
                 place(balls.position[i]), with_unit(balls.velocity[i], "m/s"),
                 with_unit(balls.radius[i], "m"), with_unit(mass_of(balls.inverse_mass[i]), "kg"));
-            if (restitution_of(world_, i) != world_.kinds()[balls.kind[i]].restitution)
-                text_ += fmt::format(" e={}", restitution_of(world_, i));
-            if (spin_at(world_, i) != 0.0) text_ += " w=" + spin_text(spin_at(world_, i));
-            if (!balls.roll.empty() && !(balls.roll[i] == balls.velocity[i]))
-                text_ += " roll=" + with_unit(balls.roll[i], "m/s");
-            text_ += '\n';
+            text_ += written_properties(world_, i, units_) + '\n';
         }
     }
 
     const Scene& scene_;
     const World& world_;
-    bool has_units_;
+    UnitWriter units_;
     std::string text_;
 };
 
@@ -241,13 +232,7 @@ bool has_same_bodies(const World& a, const World& b) {
     };
     if (!std::ranges::equal(a.seesaws(), b.seesaws(), turns_alike)) return false;
     for (std::size_t i = 0; i < balls.size(); ++i)
-        if (!(balls.position[i] == b.balls().position[i]) ||
-            !(balls.velocity[i] == b.balls().velocity[i]) ||
-            balls.radius[i] != b.balls().radius[i] ||
-            balls.inverse_mass[i] != b.balls().inverse_mass[i] ||
-            balls.kind[i] != b.balls().kind[i] || restitution_of(a, i) != restitution_of(b, i) ||
-            spin_at(a, i) != spin_at(b, i) || !(roll_at(a, i) == roll_at(b, i)))
-            return false;
+        if (!(complete_spec(a, i) == complete_spec(b, i))) return false;
     for (std::size_t i = 0; i < edges.size(); ++i)
         if (!(edges.shape[i].start == b.capsules().shape[i].start) ||
             !(edges.shape[i].end == b.capsules().shape[i].end) ||

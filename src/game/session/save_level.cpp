@@ -32,6 +32,7 @@ class LevelWriter {
           dress_(scene.dress),
           world_(world),
           has_units_(scene.unit != LengthUnit::natural),
+          units_(has_units_),
           has_overlap_(has_overlap) {}
 
     std::string write() {
@@ -58,11 +59,8 @@ class LevelWriter {
         text_ += '\n';
     }
 
-    std::string with_unit(double value, std::string_view unit) const {
-        return fmt::format("{}{}", value, has_units_ ? unit : "");
-    }
-    std::string with_unit(Vec2 value, std::string_view unit) const {
-        return with_unit(value.x, unit) + "," + with_unit(value.y, unit);
+    std::string with_unit(const auto& value, std::string_view unit) const {
+        return units_.text(value, unit);
     }
     static std::string place(Vec2 value) { return fmt::format("{},{}", value.x, value.y); }
 
@@ -281,8 +279,7 @@ class LevelWriter {
             if (std::isfinite(seesaw.least)) text_ += " from=" + angle(seesaw.least);
             if (std::isfinite(seesaw.most)) text_ += " to=" + angle(seesaw.most);
             line(" e={} tilt={} turning={}", seesaw.stop_restitution, angle(seesaw.angle),
-                 has_units_ ? fmt::format("{}rad/s", spin_of(seesaw.rate))
-                            : fmt::format("{}", seesaw.rate));
+                 units_.spin_text(seesaw.rate));
         }
     }
 
@@ -320,14 +317,8 @@ class LevelWriter {
             if (balls.radius[i] != kind.radius) text_ += fmt::format(" r={}", balls.radius[i]);
             if (balls.inverse_mass[i] != 1.0 / kind.mass)
                 text_ += " m=" + with_unit(mass_of(balls.inverse_mass[i]), "kg");
-            if (!balls.restitution.empty() && balls.restitution[i] != kind.restitution)
-                text_ += fmt::format(" e={}", balls.restitution[i]);
-            if (!balls.spin.empty() && balls.spin[i] != 0.0)
-                text_ += " w=" + (has_units_ ? fmt::format("{}rad/s", spin_of(balls.spin[i]))
-                                             : fmt::format("{}", balls.spin[i]));
-            if (!balls.roll.empty() && !(balls.roll[i] == balls.velocity[i]))
-                text_ += " roll=" + with_unit(balls.roll[i], "m/s");
-            text_ += color(color_in(dress_.balls, id)) + '\n';
+            text_ +=
+                written_properties(world_, i, units_) + color(color_in(dress_.balls, id)) + '\n';
         }
     }
 
@@ -401,6 +392,7 @@ class LevelWriter {
     const Dress& dress_;
     const World& world_;
     bool has_units_;
+    UnitWriter units_;
     bool has_overlap_;
     std::vector<std::string> kinds_;
     std::vector<std::string> materials_;

@@ -1,5 +1,7 @@
 #include "game/session/written_numbers.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -42,6 +44,31 @@ double degrees_of(double radians) {
 double spin_of(double spin) {
     constexpr double degrees = 180.0 / pi;
     return unread(spin, spin, [](double x) { return x * degrees / degrees; });
+}
+
+std::string UnitWriter::text(double value, std::string_view unit) const {
+    return fmt::format("{}{}", value, has_units_ ? unit : "");
+}
+
+std::string UnitWriter::text(Vec2 value, std::string_view unit) const {
+    return text(value.x, unit) + "," + text(value.y, unit);
+}
+
+std::string UnitWriter::spin_text(double spin) const {
+    return text(has_units_ ? spin_of(spin) : spin, "rad/s");
+}
+
+std::string written_properties(const World& world, std::size_t ball, const UnitWriter& units) {
+    const Balls& balls = world.balls();
+    const Kind& kind = world.kinds()[balls.kind[ball]];
+    std::string keys;
+    if (!balls.restitution.empty() && balls.restitution[ball] != kind.restitution)
+        keys += fmt::format(" e={}", balls.restitution[ball]);
+    if (!balls.spin.empty() && balls.spin[ball] != 0.0)
+        keys += " w=" + units.spin_text(balls.spin[ball]);
+    if (!balls.roll.empty() && !(balls.roll[ball] == balls.velocity[ball]))
+        keys += " roll=" + units.text(balls.roll[ball], "m/s");
+    return keys;
 }
 
 }  // namespace carom

@@ -20,12 +20,6 @@ std::vector<std::string_view> names_of(const std::vector<Spec>& specs) {
     return names;
 }
 
-bool are_same(const Material& a, const Material& b) {
-    return a.restitution == b.restitution && a.soften == b.soften && a.friction == b.friction &&
-           a.kick == b.kick && a.kick_from == b.kick_from &&
-           a.kicks_in_the_middle == b.kicks_in_the_middle;
-}
-
 class Resolver {
   public:
     explicit Resolver(Context& context)
@@ -242,7 +236,7 @@ class Resolver {
     ClassIndex find_or_add_material(const Material& made, const std::string& name,
                                     std::size_t first, const Span& at) {
         for (std::size_t i = first; i < result_.materials.size(); ++i) {
-            if (result_.material_names[i] == name && are_same(result_.materials[i], made))
+            if (result_.material_names[i] == name && result_.materials[i] == made)
                 return static_cast<ClassIndex>(i);
         }
         if (result_.kinds.size() + result_.materials.size() >= max_classes) {

@@ -10,9 +10,9 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 // Whether the two differ at most in what a record has of its own.
 bool can_share(const BallIr& a, const BallIr& b) {
-    return a.kind == b.kind && a.velocity == b.velocity && a.radius == b.radius &&
-           a.mass == b.mass && a.restitution == b.restitution && a.spin == b.spin &&
-           a.roll == b.roll && a.racked == b.racked && a.gap == b.gap && a.binding == b.binding &&
+    BallSpec spec = a;
+    spec.position = b.position;
+    return spec == b && a.racked == b.racked && a.gap == b.gap && a.binding == b.binding &&
            a.device == b.device;
 }
 

@@ -65,6 +65,8 @@ struct BallSpec {
     double spin = 0.0;  ///< rad/s, counter-clockwise; ignored without Model::spin
     /// Ignored without Model::cloth. Absent: the ball rolls without slipping.
     std::optional<Vec2> roll = std::nullopt;
+
+    friend bool operator==(const BallSpec&, const BallSpec&) = default;
 };
 
 struct Balls {
