@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "geometry/elementary.h"
 #include "level/assemble/amend.h"
 #include "level/assemble/checks.h"
-#include "level/assemble/curves.h"
 #include "level/assemble/dress_assembly.h"
 #include "level/assemble/fill.h"
 #include "level/assemble/mirror_duplicates.h"
@@ -19,8 +17,8 @@
 #include "level/assemble/resolve_names.h"
 #include "level/assemble/rule_assembly.h"
 #include "level/assemble/symbol_table.h"
+#include "level/assemble/world_assembly.h"
 
-// This file is over 320 lines because it holds one idea, the order in which a scene comes about.
 namespace carom {
 namespace {
 
@@ -51,13 +49,13 @@ class Assembly {
         SeesawAssembly seesaws(options_, names_, context_);
         seesaws.check_names();
         amended_ = amend(balls_, symbols, context_);
-        motions.place_edges(rate());
+        motions.place_edges(level_rate(options_, ir_));
         seesaws.place_edges();
         if (amended_.is_removed.empty())
             check_start(balls_, names_, context_);
         else
             check_start(present_balls(), names_, context_);
-        check_precision(balls_, names_, rate(), context_);
+        check_precision(balls_, names_, level_rate(options_, ir_), context_);
         PinballAssembly table(names_, context_);
         table.collect_devices();
         RuleAssembly rules(table, names_, balls_, context_);
@@ -69,7 +67,7 @@ class Assembly {
             symbols.check_references();
             return;
         }
-        make_world();
+        WorldAssembly(options_, names_, balls_, amended_, context_).fill_in(scene_);
         symbols.fill_in(scene_);
         motions.fill_in(scene_);
         seesaws.fill_in(scene_.world);
@@ -86,15 +84,6 @@ class Assembly {
   private:
     // Of a level with errors that has more items than this, no more errors are looked for.
     static constexpr std::size_t most_checked_with_errors = 100'000;
-
-    double rate() const { return options_.rate.value_or(own_rate()); }
-
-    // Flippers need short ticks, so a game of pinball has a higher default rate.
-    double own_rate() const {
-        constexpr double pinball_rate = 1000.0;
-        return ir_.settings.rate.value_or(ir_.settings.table.is_game ? pinball_rate
-                                                                     : World{}.rate());
-    }
 
     StartingBall starting_ball(std::size_t i) const {
         const BallIr spec = ir_.balls[i];
@@ -220,6 +209,10 @@ class Assembly {
         return solid;
     }
 
+    ClassIndex material_of(const CapsuleIr& edge) const {
+        return names_.edges[static_cast<std::size_t>(edge.binding)].material;
+    }
+
     // `owners` has the kinds of the discs among the obstacles. False: the fill has an error.
     bool add_fill(const FillIr& fill, ClassIndex kind, Obstacles& obstacles,
                   std::vector<ClassIndex>& owners) {
@@ -245,51 +238,6 @@ class Assembly {
         return true;
     }
 
-    void make_world() {
-        World& world = scene_.world;
-        const LevelSettings& s = ir_.settings;
-        world.edit_definition().seed = context_.seed;
-        world.edit_definition().rate = rate();
-        world.edit_definition().kinds = names_.kinds;
-        world.edit_definition().materials = names_.materials;
-        make_model(world.edit_definition().model);
-        world.edit_definition().need = s.need;
-        if (world.model().filtered) world.edit_definition().meets = names_.collision_matrix;
-        for (const StartingBall& ball : balls_) {
-            BallSpec spec;
-            if (ball.spec >= 0) spec = ir_.balls[static_cast<std::size_t>(ball.spec)];
-            spec.kind = ball.kind;
-            spec.position = ball.position;
-            spec.velocity = ball.velocity;
-            spec.radius = ball.radius;
-            spec.mass = ball.mass;
-            spec.restitution = ball.restitution;
-            const std::size_t i = world.balls().size();
-            if (!amended_.spin.empty() && amended_.spin[i]) spec.spin = *amended_.spin[i];
-            if (!amended_.roll.empty() && amended_.roll[i]) spec.roll = *amended_.roll[i];
-            add_ball(world, spec);
-        }
-        for (const CapsuleIr& edge : ir_.capsules) {
-            add_capsule(world, edge.shape, material_of(edge), edge.side);
-        }
-        join_curves(ir_, world);
-        for (std::size_t i = 0; i < ir_.emitters.size(); ++i) {
-            Emitter emitter = ir_.emitters[i].emitter;
-            emitter.kind = names_.emitters[i].kind;
-            world.edit_emitters().push_back(emitter);
-        }
-        scene_.kind_names = names_.kind_names;
-        scene_.material_names = names_.material_names;
-        scene_.solver = options_.solver ? options_.solver : s.solver;
-        scene_.game = s.game.value_or("sandbox");
-        scene_.overridden = !options_.overrides.empty() ||
-                            (options_.solver && options_.solver != s.solver) ||
-                            (options_.rate && options_.rate != own_rate()) ||
-                            (options_.seed && *options_.seed != s.seed.value_or(0));
-        make_outlines();
-        scene_.view = view();
-    }
-
     // The ids of the others stay, as in play. The level starts without these balls, so it does not
     // count as a removal.
     void remove_balls() {
@@ -305,78 +253,6 @@ class Assembly {
         for (std::size_t i = 0; i < balls_.size(); ++i)
             if (!amended_.removes(i)) present.push_back(balls_[i]);
         return present;
-    }
-
-    ClassIndex material_of(const CapsuleIr& edge) const {
-        return names_.edges[static_cast<std::size_t>(edge.binding)].material;
-    }
-
-    void make_model(Model& model) const {
-        const LevelSettings& s = ir_.settings;
-        model.gravity = s.gravity;
-        model.drag = s.drag;
-        model.stop_speed = s.stop_speed;
-        model.speed_limit = s.speed_limit;
-        model.scatter = s.scatter;
-        model.spin = s.spin;
-        model.cloth = s.cloth;
-        model.modulus = s.modulus;
-        constexpr double solid_ball = 0.4;
-        if (s.cloth) model.spin = s.inertia.value_or(solid_ball);
-        if (s.wrap) model.wrap = s.world;
-        model.inelastic = is_inelastic();
-        model.one_way = std::ranges::any_of(ir_.devices, [](const DeviceIr& d) {
-            return d.device.kind == DeviceKind::droptarget || d.device.kind == DeviceKind::post;
-        });
-        model.filtered = !names_.all_collide();
-        model.ball_ball = names_.some_balls_collide();
-        model.ball_edge = names_.some_edges_collide();
-    }
-
-    bool is_inelastic() const {
-        const auto loses = [](double restitution) { return restitution < 1.0; };
-        if (std::ranges::any_of(balls_, loses, &StartingBall::restitution)) return true;
-        for (const ResolvedBalls& of : names_.emitters) {
-            if (loses(names_.kinds[of.kind].restitution)) return true;
-        }
-        for (const CapsuleIr& edge : ir_.capsules) {
-            const Material& material = names_.materials[material_of(edge)];
-            if (loses(material.restitution) || material.soften > 0.0) return true;
-        }
-        return false;
-    }
-
-    void make_outlines() {
-        std::map<int, std::vector<CapsuleId>> outlines;
-        for (std::size_t i = 0; i < ir_.capsules.size(); ++i) {
-            const int chain = ir_.capsules[i].chain;
-            if (!ir_.chains[static_cast<std::size_t>(chain)].is_closed) continue;
-            outlines[chain].push_back(scene_.world.capsules().id[i]);
-        }
-        for (auto& [chain, capsules] : outlines)
-            scene_.outlines.push_back(std::move(capsules));
-    }
-
-    // The box that the level declares as its world, else the bounds of everything; never empty.
-    Box view() const {
-        if (ir_.settings.world) return *ir_.settings.world;
-        std::optional<Box> all;
-        const auto add = [&](const Box& box) { all = all ? join(*all, box) : box; };
-        for (const CapsuleIr& edge : ir_.capsules)
-            add(bounds(edge.shape));
-        for (const StartingBall& ball : balls_)
-            add(bounds(Disc{ball.position, ball.radius}));
-        for (const Emitter& emitter : scene_.world.emitters()) {
-            add(bounds(Disc{emitter.at, names_.kinds[emitter.kind].radius}));
-        }
-        if (!all) return {{-10.0, -10.0}, {10.0, 10.0}};
-        const Vec2 extent = size(*all);
-        const double most = std::max(extent.x, extent.y);
-        const double margin = most > 0.0 ? 0.0 : 10.0;
-        Box box = grow(*all, margin);
-        if (extent.x < 1e-3 * most) box = join(box, grow({center(box), center(box)}, 0.5 * most));
-        if (extent.y < 1e-3 * most) box = join(box, grow({center(box), center(box)}, 0.5 * most));
-        return box;
     }
 
     const LoadOptions& options_;
