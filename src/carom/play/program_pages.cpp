@@ -31,6 +31,20 @@ void keep_score(Player& player, const std::string& path, const HighScore& score)
     player.set_high_scores(std::move(kept.scores));
 }
 
+// Settings that keys of a game have changed; keep(name, value) writes one to disk.
+template <typename Keep>
+void take_settings(const Player& player, Preferences& preferences, Keep&& keep) {
+    if (player.terminal().rings != preferences.bell) {
+        preferences.bell = player.terminal().rings;
+        keep("bell", preferences.bell ? "on" : "off");
+    }
+    if (const auto* const players = player.pool_players();
+        players && players->hand() != preferences.hand) {
+        preferences.hand = players->hand();
+        keep("hand", std::to_string(players->hand()));
+    }
+}
+
 }  // namespace
 
 void Program::handle(const InputEvent& event, double now) {
@@ -57,15 +71,9 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
     if (const auto score = game.player.take_high_score())
         keep_score(game.player, game.source.path, *score);
     views_[game.source.path] = game.player.view();
-    if (game.player.terminal().rings != preferences_.bell) {
-        preferences_.bell = game.player.terminal().rings;
-        keep_setting("bell", preferences_.bell ? "on" : "off");
-    }
-    if (const auto* const players = game.player.pool_players();
-        players && players->hand() != preferences_.hand) {
-        preferences_.hand = players->hand();
-        keep_setting("hand", std::to_string(players->hand()));
-    }
+    take_settings(game.player, preferences_, [this](const char* name, const std::string& value) {
+        keep_setting(name, value);
+    });
     game.keep_pool_record(false);
     if (next_autosave_ < now) next_autosave_ = now + autosave_interval;
     switch (request) {
