@@ -144,10 +144,10 @@ void SideFriction<Real>::end_slip(std::uint32_t ball) {
     const bool rolled = trajectories_.spin(ball).rolls;
     const bool was_braked =
         trajectory.motion == Motion::resting && !(trajectories_.spin(ball).rate == Real{});
-    const Real first = trajectories_.spin(ball).spin;
     trajectories_.continue_spin(ball, scene_.now);
     Real& spin = trajectories_.spin(ball).spin;
-    if (was_braked && absolute(spin) <= Real(slip_rounding<Real>) * absolute(first)) spin = Real{};
+    // That is why it has this transition. The time of braking may be lost in the rounding of time.
+    if (was_braked) spin = Real{};
     if (rolled && trajectory.motion == Motion::sliding && scene_.field.has_drag)
         spin = dot(state_at(trajectory, scene_.field, scene_.now).velocity, slip_direction(ball)) /
                balls_.radius(ball);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/solver.h"
 #include "physics/support/event_parts.h"
 #include "physics/support/scenes.h"
 
@@ -61,4 +62,40 @@ TEST_CASE("side friction: two supports brake a spin until it is gone, to the las
         parts.friction.end_slip(0);
         CHECK(parts.trajectories.spin(0).spin == 0.0);
     }
+}
+
+// Regression: braking that ends within the rounding of time ended again and again, without end.
+TEST_CASE("side friction: a spin of rounding's making is braked at once") {
+    for (const double spin : {1e-12, 1e-15, -1e-18, 1e-300}) {
+        CAPTURE(spin);
+        World world = sliding(0.0);
+        world.edit_tick() = 7000;
+        world.edit_balls().spin[0] = spin;
+        EventParts parts(world);
+        parts.trajectories.put_to_rest(0, {}, {});
+        parts.friction.brake(0, 0.7);
+        const auto end = parts.friction.end_of_slip(0, 1000.0);
+        REQUIRE(end);
+        parts.scene.now = *end;
+        parts.friction.end_slip(0);
+        CHECK(parts.trajectories.spin(0).spin == 0.0);
+    }
+}
+
+// A ball that falls between two pegs that rub comes to rest on both.
+TEST_CASE("side friction: a ball between two pegs does not use up the work of a tick") {
+    World world = scenes::empty();
+    world.edit_definition().rate = 1000.0;
+    world.edit_definition().model.gravity = Vec2{0.0, -0.793};
+    world.edit_definition().model.inelastic = true;
+    world.edit_definition().model.spin = 0.5;
+    world.edit_definition().materials[0] = {.restitution = 0.4, .friction = 0.05};
+    for (const double x : {0.305, 0.329})
+        add_capsule(world, {{x, 0.39}, {x, 0.39}, 0.002}, 0);
+    add_ball(world, {.position = {0.317, 0.3999}, .radius = 0.0135, .mass = 0.08});
+    Solver solver({.kind = SolverKind::event});
+    for (int i = 0; i < 2000; ++i)
+        REQUIRE(solver.tick(world) == TickOutcome::done);
+    CHECK(length(world.balls().velocity[0]) == 0.0);
+    CHECK(world.balls().spin[0] == 0.0);
 }
