@@ -11,7 +11,8 @@ namespace {
 
 class LevelWriter : Draft {
   public:
-    explicit LevelWriter(Random& chance) : Draft{chance, {}, 1.0, 1.0, {}, {}, {}} {}
+    LevelWriter(Random& chance, double least_decade)
+        : Draft{chance, {}, 1.0, 1.0, {}, {}, {}}, least_decade_(least_decade) {}
 
     Level write() {
         scales();
@@ -122,7 +123,7 @@ class LevelWriter : Draft {
     double radius() {
         const double usual = length * (is_pile_ ? 0.5 : 0.7);
         return random.chance(0.85) ? usual * random.between(0.5, 1.2)
-                                   : usual * random.decades(-3.0, 0.7);
+                                   : usual * random.decades(least_decade_, 0.7);
     }
     double mass() {
         return random.chance(0.8) ? random.decades(-1.0, 1.0) : random.decades(-6.0, 6.0);
@@ -243,6 +244,7 @@ class LevelWriter : Draft {
                 level.balls += 4;
     }
 
+    double least_decade_;
     double thickness_ = 0.0;
     bool is_pile_ = false;
     bool has_gravity_ = false;
@@ -253,8 +255,8 @@ class LevelWriter : Draft {
 
 }  // namespace
 
-Level write_level(Random& random) {
-    return LevelWriter(random).write();
+Level write_level(Random& random, double least_decade) {
+    return LevelWriter(random, least_decade).write();
 }
 
 }  // namespace carom::bits

@@ -23,7 +23,11 @@ struct Level {
     bool has_buttons = false;
 };
 
+/// Balls of exceptional size have radii down to this power of ten of the usual one.
+inline constexpr double usual_least_decade = -3.0;
+inline constexpr double grain_decade = -17.0;
+
 /// Most of these levels load. The caller must handle those that do not: they cost little.
-Level write_level(Random& random);
+Level write_level(Random& random, double least_decade = usual_least_decade);
 
 }  // namespace carom::bits

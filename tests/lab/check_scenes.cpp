@@ -26,9 +26,12 @@ int main(int argc, char** argv) {
     const std::vector<std::string_view> words(argv + 1, argv + argc);
     const std::uint64_t stride = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 0;
     if (argc < 5 || stride == 0) {
-        std::cerr << "usage: check_scenes FIRST COUNT STRIDE KEPT [SOLVER...]\n";
+        std::cerr << "usage: check_scenes FIRST COUNT STRIDE KEPT [grains] [SOLVER...]\n"
+                     "grains: with balls of radii down to 1e-17 of the usual\n";
         return 2;
     }
+    const bool has_grains = std::find(words.begin() + 4, words.end(), "grains") != words.end();
+    const bool names_solvers = words.size() > (has_grains ? 5u : 4u);
     const std::uint64_t first = std::strtoull(argv[1], nullptr, 10);
     const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
     std::uint64_t runs = 0;
@@ -36,14 +39,15 @@ int main(int argc, char** argv) {
     std::uint64_t unloadable = 0;
     std::uint64_t broken = 0;
     for (std::uint64_t number = first; number < first + count; number += stride) {
-        const test::FuzzedScene fuzzed = test::fuzzed_scene(number);
+        const test::FuzzedScene fuzzed =
+            test::fuzzed_scene(number, has_grains ? bits::grain_decade : bits::usual_least_decade);
         if (!fuzzed.scene) {
             ++unloadable;
             continue;
         }
         for (const SolverKind kind : solvers_available()) {
-            const bool is_named = words.size() == 4 || std::find(words.begin() + 4, words.end(),
-                                                                 name(kind)) != words.end();
+            const bool is_named = !names_solvers || std::find(words.begin() + 4, words.end(),
+                                                              name(kind)) != words.end();
             if (!is_named || !supports(kind, fuzzed.scene->world.model())) continue;
             const test::CheckedRun run = test::check_run(fuzzed, kind);
             ++runs;

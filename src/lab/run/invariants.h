@@ -37,6 +37,9 @@ struct Promise {
     double parted = 1e-3;
     /// It lifts overlapping bodies apart, which may add the work done against gravity.
     bool lifts_overlaps = false;
+    /// It holds only balls that gravity moves by less than a quarter of their radius in a 64th of a
+    /// tick. While there are smaller ones, which a run notes, energy and overlap are no promise.
+    bool needs_short_falls = false;
     bool keeps_sides = false;  ///< no ball passes through an edge or out of an outline
     bool moves = false;        ///< a ball with a velocity does not stay where it was
 };

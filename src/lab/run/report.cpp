@@ -162,6 +162,14 @@ void write_notes(JsonWriter& json, const RunRecord& record) {
         json.field("first_tick", record.first_left_out);
         json.end_object();
     }
+    if (record.not_held.ticks > 0) {
+        json.begin_object(Layout::one_line);
+        json.field("kind", "not_held");
+        json.field("ticks", record.not_held.ticks);
+        json.field("first_tick", record.not_held.first_tick);
+        json.field("most_balls", std::uint64_t{record.not_held.most_balls});
+        json.end_object();
+    }
     if (noted.ticks > 0) {
         json.begin_object(Layout::one_line);
         json.field("kind", "stood_still");

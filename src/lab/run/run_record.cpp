@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "physics/contact/solver.h"
+
 namespace carom {
 namespace {
 
@@ -16,6 +18,15 @@ void judge_all(RunRecord& record, const Scene& scene, const World& world, bool i
         judge(scene.expects[i], world, record.watch, is_last, record.judgements[i]);
 }
 
+void note_not_held(NotHeld& noted, const World& world) {
+    const double least = least_radius_held(world);
+    const auto balls = static_cast<std::size_t>(
+        std::ranges::count_if(world.balls().radius, [&](double r) { return r < least; }));
+    if (balls == 0) return;
+    if (++noted.ticks == 1) noted.first_tick = world.tick();
+    noted.most_balls = std::max(noted.most_balls, balls);
+}
+
 }  // namespace
 
 RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
@@ -23,6 +34,7 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
                      .totals_start = totals(scene.world),
                      .watch = RunWatch(scene, RunWatch::Conservation::ignored),
                      .stood_still = {},
+                     .not_held = {},
                      .ignores_modulus = scene.world.model().modulus.has_value() &&
                                         solver.kind != SolverKind::event,
                      .ball_ticks = 0,
@@ -39,6 +51,7 @@ void note_tick(RunRecord& record, const Scene& scene, const World& world,
     record.watch.note_tick(world);
     record.watch.observe_tick(scene, world, contacts);
     record.ball_ticks += world.balls().size();
+    if (record.solver.kind == SolverKind::contact) note_not_held(record.not_held, world);
     judge_all(record, scene, world, false);
 }
 
@@ -65,6 +78,14 @@ std::string notes_text(const RunRecord& record, double rate) {
             "left "
             "out.\n",
             most_actions_in_a_tick, record.first_left_out, record.actions_left_out);
+    const NotHeld& small = record.not_held;
+    if (small.ticks > 0)
+        text += fmt::format(
+            "note: under contact gravity moves small balls too far to hold them, in {} tick{}, "
+            "first in tick {}, at most {} ball{} in one tick: they may sink into others, and gain "
+            "energy. More ticks a second help, or event.\n",
+            small.ticks, small.ticks == 1 ? "" : "s", small.first_tick, small.most_balls,
+            small.most_balls == 1 ? "" : "s");
     const StoodStill& noted = record.stood_still;
     if (noted.ticks == 0) return text;
     return text +

@@ -22,12 +22,20 @@ struct StoodStill {
     std::size_t most_balls = 0;    ///< in any of them
 };
 
+/// The ticks in which `contact` had balls too small for it (least_radius_held).
+struct NotHeld {
+    std::uint64_t ticks = 0;
+    std::uint64_t first_tick = 0;  ///< from 1
+    std::size_t most_balls = 0;    ///< in any of them
+};
+
 /// The data that a run collects for its report.
 struct RunRecord {
     SolverSettings solver;
     Totals totals_start;
     RunWatch watch;
     StoodStill stood_still;
+    NotHeld not_held;
     /// The level says `use modulus`, and the solver lets impacts take no time.
     bool ignores_modulus = false;
     std::uint64_t ball_ticks = 0;  ///< the number of balls, summed over the ticks

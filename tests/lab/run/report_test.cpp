@@ -171,3 +171,24 @@ TEST_CASE("the explanation names the terms and the solver") {
     CHECK_FALSE(has(explanation(load("solver contact\n" + falls)), heaps));
     CHECK_FALSE(has(explanation(load("solver event\nuse gravity 0,-2\nball a at=0,0\n")), heaps));
 }
+
+TEST_CASE("report: balls that are too small for contact are noted") {
+    const std::string scene =
+        "rate 100\nuse gravity 0,-10\nball at=0,5 r=1\nball at=3,5 r=RADIUS\n"
+        "edge -9,0 9,0\nsolver ";
+    const auto with = [&](const std::string& radius, const std::string& solver) {
+        std::string text = scene + solver + "\n";
+        return run(text.replace(text.find("RADIUS"), 6, radius), 3);
+    };
+    // 10 (1/6,400)^2 / 0.25 = 9.8e-7
+    const Finished small = with("9e-7", "contact");
+    CHECK(small.record.not_held.ticks == 3);
+    CHECK(small.record.not_held.first_tick == 1);
+    CHECK(small.record.not_held.most_balls == 1);
+    CHECK(has(small.report, R"("kind": "not_held", "ticks": 3, "first_tick": 1, "most_balls": 1)"));
+    CHECK(has(notes_text(small.record, 100.0), "note: under contact gravity moves small balls"));
+    for (const Finished& fine : {with("1e-6", "contact"), with("9e-7", "swept")}) {
+        CHECK_FALSE(has(fine.report, "not_held"));
+        CHECK(notes_text(fine.record, 100.0).empty());
+    }
+}

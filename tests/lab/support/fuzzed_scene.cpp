@@ -15,10 +15,10 @@
 
 namespace carom::test {
 
-FuzzedScene fuzzed_scene(std::uint64_t number) {
+FuzzedScene fuzzed_scene(std::uint64_t number, double least_decade) {
     bits::Random random(number);
     const bool is_played = random.chance(0.5);
-    bits::Level level = bits::write_level(random);
+    bits::Level level = bits::write_level(random, least_decade);
     level.radius = std::min(level.width, level.height) / 20.0;
     std::string commands;
     if (is_played)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bits/level_writer.h"
 #include "game/replay/replay_text.h"
 #include "lab/run/invariants.h"
 #include "level/scene/scene.h"
@@ -21,7 +22,8 @@ struct FuzzedScene {
 };
 
 /// The scene of this number, the same with every compiler and on every machine.
-FuzzedScene fuzzed_scene(std::uint64_t number);
+/// `least_decade`: see bits::write_level.
+FuzzedScene fuzzed_scene(std::uint64_t number, double least_decade = bits::usual_least_decade);
 
 /// A level and a script of commands, as a scene to be run for `ticks`.
 FuzzedScene scene_of(std::string level, const std::string& commands, std::uint64_t ticks);
