@@ -227,6 +227,10 @@ inline constexpr int oversized_images = 2;
 /// rounding up to here. x10: it is not; /10: more events of a ball on a round end.
 inline constexpr double most_piece_angle = 0.05;
 
+/// The longest such piece under drag, in its time constants, for the same reason. x10: a ball that
+/// turns under strong drag is thrown out of the scene; /10: more events of it.
+inline constexpr double most_piece_decay = 0.5;
+
 /// Under drag, rolling friction is constant for this share of drag's time constant: changes the
 /// result slightly. x10: a rolling ball slips more between two pieces; /10: more events.
 inline constexpr double rolling_piece = 1.0 / 1024.0;

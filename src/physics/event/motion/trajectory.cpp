@@ -133,8 +133,11 @@ Real piece_end(const Trajectory<Real>& trajectory, const Field<Real>& field) {
     const Real radius = length(trajectory.position - trajectory.center);
     const Real rate = length(trajectory.velocity) / radius;
     const Real pull = length(field.gravity) / radius;
-    return trajectory.time +
-           Real(2.0) * most / (rate + square_root(rate * rate + Real(2.0) * pull * most));
+    const Real piece =
+        Real(2.0) * most / (rate + square_root(rate * rate + Real(2.0) * pull * most));
+    if (field.has_drag && field.drag * piece > Real(most_piece_decay))
+        return trajectory.time + Real(most_piece_decay) / field.drag;
+    return trajectory.time + piece;
 }
 
 template <typename Real>
