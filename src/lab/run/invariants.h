@@ -37,13 +37,15 @@ struct Promise {
     double parted = 1e-3;
     /// It lifts overlapping bodies apart, which may add the work done against gravity.
     bool lifts_overlaps = false;
-    /// It holds only balls that gravity moves by less than a quarter of their radius in a 64th of a
-    /// tick. While there are smaller ones, which a run notes, energy and overlap are no promise.
-    bool needs_short_falls = false;
+    /// How far gravity may move a ball in a tick, in radii. While there are smaller balls, which a
+    /// run notes (run_record.h), all that is promised is finite numbers.
+    std::optional<double> most_fall;
     bool keeps_sides = false;  ///< no ball passes through an edge or out of an outline
     bool moves = false;        ///< a ball with a velocity does not stay where it was
 };
 Promise promise_of(SolverKind solver);
+/// How many balls are too small for the promise.
+std::size_t count_too_small(const Promise& promise, const World& world);
 
 /// An invariant that does not hold.
 struct Breach {

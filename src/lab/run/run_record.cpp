@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "physics/contact/solver.h"
+#include "lab/run/invariants.h"
 
 namespace carom {
 namespace {
@@ -18,11 +18,10 @@ void judge_all(RunRecord& record, const Scene& scene, const World& world, bool i
         judge(scene.expects[i], world, record.watch, is_last, record.judgements[i]);
 }
 
-void note_not_held(NotHeld& noted, const World& world) {
-    const double least = least_radius_held(world);
-    const auto balls = static_cast<std::size_t>(
-        std::ranges::count_if(world.balls().radius, [&](double r) { return r < least; }));
+void note_not_held(RunRecord& record, const World& world) {
+    const std::size_t balls = count_too_small(promise_of(record.solver.kind), world);
     if (balls == 0) return;
+    NotHeld& noted = record.not_held;
     if (++noted.ticks == 1) noted.first_tick = world.tick();
     noted.most_balls = std::max(noted.most_balls, balls);
 }
@@ -51,7 +50,7 @@ void note_tick(RunRecord& record, const Scene& scene, const World& world,
     record.watch.note_tick(world);
     record.watch.observe_tick(scene, world, contacts);
     record.ball_ticks += world.balls().size();
-    if (record.solver.kind == SolverKind::contact) note_not_held(record.not_held, world);
+    note_not_held(record, world);
     judge_all(record, scene, world, false);
 }
 
@@ -81,11 +80,11 @@ std::string notes_text(const RunRecord& record, double rate) {
     const NotHeld& small = record.not_held;
     if (small.ticks > 0)
         text += fmt::format(
-            "note: under contact gravity moves small balls too far to hold them, in {} tick{}, "
-            "first in tick {}, at most {} ball{} in one tick: they may sink into others, and gain "
-            "energy. More ticks a second help, or event.\n",
-            small.ticks, small.ticks == 1 ? "" : "s", small.first_tick, small.most_balls,
-            small.most_balls == 1 ? "" : "s");
+            "note: gravity moves small balls too far in a tick for {}, in {} tick{}, first in tick "
+            "{}, at most {} ball{} in one tick: they may sink into others, and gain energy. More "
+            "ticks a second help.\n",
+            name(record.solver.kind), small.ticks, small.ticks == 1 ? "" : "s", small.first_tick,
+            small.most_balls, small.most_balls == 1 ? "" : "s");
     const StoodStill& noted = record.stood_still;
     if (noted.ticks == 0) return text;
     return text +

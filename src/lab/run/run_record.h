@@ -22,7 +22,7 @@ struct StoodStill {
     std::size_t most_balls = 0;    ///< in any of them
 };
 
-/// The ticks in which `contact` had balls too small for it (least_radius_held).
+/// The ticks with balls too small for what the solver promises (Promise::most_fall).
 struct NotHeld {
     std::uint64_t ticks = 0;
     std::uint64_t first_tick = 0;  ///< from 1

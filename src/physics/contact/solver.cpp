@@ -26,12 +26,6 @@ int substeps_for_fall(const World& world, int wanted) {
 
 }  // namespace
 
-double least_radius_held(const World& world) {
-    if (!world.model().gravity) return 0.0;
-    const double substep = world.tick_length() / contact_tolerance::most_substeps;
-    return length(*world.model().gravity) * substep * substep / contact_tolerance::most_fall;
-}
-
 void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
                          std::vector<std::uint8_t>& touched, bool is_strict) {
     const int count = substeps_for_fall(world, substeps_needed(world, substeps));

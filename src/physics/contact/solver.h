@@ -25,8 +25,6 @@ namespace carom {
 /// about g h^2 for a substep of h seconds is lost. Pressed bodies overlap slightly, the more the
 /// heavier the load.
 ///
-/// Balls smaller than `least_radius_held` are not held.
-///
 /// Where nothing in a scene can press, `swept` stands in for it: swept_fallback.h.
 class ContactSolver {
   public:
@@ -75,10 +73,5 @@ class ContactSolver {
     ContactImpacts impacts_{step_, bodies_, pairs_, kinematics_, classification_};
     bool is_reloaded_ = false;  // the pairs are not those of the last substep
 };
-
-/// The radius, length, of which gravity moves a ball by `most_fall` in the shortest substep that a
-/// tick may have. Constraints let a ball fall that far before they hold it, so smaller ones may
-/// sink into what they lie on, or gain energy where it lifts them. 0 without gravity.
-double least_radius_held(const World& world);
 
 }  // namespace carom

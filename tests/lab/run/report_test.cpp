@@ -172,23 +172,32 @@ TEST_CASE("the explanation names the terms and the solver") {
     CHECK_FALSE(has(explanation(load("solver event\nuse gravity 0,-2\nball a at=0,0\n")), heaps));
 }
 
-TEST_CASE("report: balls that are too small for contact are noted") {
-    const std::string scene =
-        "rate 100\nuse gravity 0,-10\nball at=0,5 r=1\nball at=3,5 r=RADIUS\n"
-        "edge -9,0 9,0\nsolver ";
-    const auto with = [&](const std::string& radius, const std::string& solver) {
-        std::string text = scene + solver + "\n";
-        return run(text.replace(text.find("RADIUS"), 6, radius), 3);
+TEST_CASE("report: balls that are too small for the solver are noted") {
+    struct Row {
+        const char* solver;
+        const char* small;
+        const char* held;
     };
-    // 10 (1/6,400)^2 / 0.25 = 9.8e-7
-    const Finished small = with("9e-7", "contact");
-    CHECK(small.record.not_held.ticks == 3);
-    CHECK(small.record.not_held.first_tick == 1);
-    CHECK(small.record.not_held.most_balls == 1);
-    CHECK(has(small.report, R"("kind": "not_held", "ticks": 3, "first_tick": 1, "most_balls": 1)"));
-    CHECK(has(notes_text(small.record, 100.0), "note: under contact gravity moves small balls"));
-    for (const Finished& fine : {with("1e-6", "contact"), with("9e-7", "swept")}) {
-        CHECK_FALSE(has(fine.report, "not_held"));
-        CHECK(notes_text(fine.record, 100.0).empty());
+    // 10 / 100^2 = 1e-3 over 1,024, 670,000 and 1.6e12
+    const Row rows[] = {{"contact", "9.7e-7", "9.8e-7"},
+                        {"swept", "1.4e-9", "1.6e-9"},
+                        {"event", "6.3e-16", "6.5e-16"}};
+    for (const Row& row : rows) {
+        CAPTURE(std::string(row.solver));
+        const auto with = [&](const std::string& radius) {
+            return run("rate 100\nuse gravity 0,-10\nball at=0,0 r=" + radius +
+                           "\nball at=5,5 r=1\nsolver " + row.solver + "\n",
+                       3);
+        };
+        const Finished small = with(row.small);
+        CHECK(small.record.not_held.ticks == 3);
+        CHECK(small.record.not_held.first_tick == 1);
+        CHECK(small.record.not_held.most_balls == 1);
+        CHECK(has(small.report,
+                  R"("kind": "not_held", "ticks": 3, "first_tick": 1, "most_balls": 1)"));
+        CHECK(has(notes_text(small.record, 100.0), "note: gravity moves small balls too far"));
+        const Finished held = with(row.held);
+        CHECK_FALSE(has(held.report, "not_held"));
+        CHECK(notes_text(held.record, 100.0).empty());
     }
 }
