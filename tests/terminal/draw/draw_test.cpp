@@ -342,6 +342,26 @@ TEST_CASE("a label on half blocks has the ball's colour as its background") {
     CHECK(is_found);
 }
 
+TEST_CASE("a sink is an outline, and with a colour of its own it is filled") {
+    Scene scene = table({{0, 0}, {40, 20}});
+    Zone pond;
+    pond.shape = {{15, 10}, {25, 10}, 8.0};
+    pond.effect = Zone::Effect::sink;
+    scene.world.edit_definition().zones.push_back(pond);
+    scene.world.edit_ledger().counters.push_back(0);
+    const auto middle = [&] {
+        Drawing drawing(80, 20);
+        drawing.draw(scene, in(ascii_renderer()));
+        return std::pair(drawing.canvas.at(40, 8).glyph, cells_that_are(drawing.canvas, U' '));
+    };
+    const auto outline = middle();
+    scene.dress.zones.assign(1, Rgb24{0x2878c8});
+    const auto filled = middle();
+    CHECK(outline.first == U' ');
+    CHECK(filled.first != U' ');
+    CHECK(filled.second < outline.second);
+}
+
 TEST_CASE("a counter is drawn over each bin, staggered if there is no room side by side") {
     Scene scene = table({{0, 0}, {16, 10}});
     for (int i = 0; i < 4; ++i) {
