@@ -128,7 +128,8 @@ Refusal refused(const World& world, const Strike& strike) {
     const double follow = strike.follow;
     constexpr double most = Strike::most_offset;
     if (!(side * side + follow * follow <= most * most))
-        return fmt::format("the tip slips off further than {} of the radius from the middle", most);
+        return fmt::format("the tip is {:.4g} radii off the middle, and would slip off beyond {}",
+                           length(Vec2{side, follow}), most);
     if (side != 0.0 && !world.model().spin) return "balls do not spin here";
     if (follow != 0.0 && !world.model().cloth) return "there is no cloth to follow or draw on";
     return std::nullopt;

@@ -183,7 +183,8 @@ TEST_CASE("strike: an off-centre tip spins the ball, in a model with spin") {
     world.edit_definition().model.cloth = Cloth{};
     world.edit_balls().spin.assign(world.balls().size(), 0.0);
     world.edit_balls().roll.assign(world.balls().size(), {});
-    CHECK(refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.4, 0.4}));
+    CHECK(*refusal(world, command::Strike{BallId{0}, {1.0, 0.0}, 0.3, 0.44}) ==
+          "the tip is 0.5325 radii off the middle, and would slip off beyond 0.5");
     const command::Strike strike{BallId{0}, {3.0, 4.0}, 0.2, 0.4};
     CHECK_FALSE(refusal(world, strike));
     execute(world, strike);
