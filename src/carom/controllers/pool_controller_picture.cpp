@@ -112,13 +112,14 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     }
     if (!is_aiming(play)) return;
     const bool in_match = players_.is_match(play.session);
-    hint("grab", in_match ? "stroke, and again: strike" : "shoot");
+    hint("grab", in_match ? "stroke" : "shoot");
     const bool is_new = pool ? !pool->shooter : !shots || shots->shots == 0 || shots->is_over;
     if (pool && is_new && !in_match) hint("opponent", "opponent");
     if (aim_.may_choose(play.session)) hint("next-ball", "next of your balls");
     hints.push_back({"arrows", "aim, power"});
+    if (!play.terminal.mouse_is_off)
+        hints.push_back({"pull the cue", in_match ? "stroke" : "shoot"});
     hints.push_back({"shift-arrows", "tip"});
-    if (!play.terminal.mouse_is_off) hints.push_back({"pull the cue", "shoot"});
     if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
     const bool has_pockets = !play.session.scene().pool.pockets.empty();
     hint("next-pot", in_match || !has_pockets ? "next ball" : "next pot");

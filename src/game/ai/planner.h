@@ -38,7 +38,8 @@ struct CandidateShot {
     std::optional<int> leaves;  ///< the easiest ball afterwards, without noise
 };
 
-/// "cut the 4 into the top left, 2.0 m/s, draw: 83 % chance to continue, then the 6".
+/// "cut the 4 into the top left, 2.0 m/s  83 % chance to continue, then the 6  draw": two blanks
+/// divide it into parts, the most important first (HudInfo::game).
 std::string candidate_text(const Scene& scene, const CandidateShot& shot);
 
 /// One decision, computed in pieces of any size.

@@ -67,12 +67,15 @@ std::string candidate_text(const Scene& scene, const CandidateShot& shot) {
             break;
     }
     text += fmt::format(", {:.1f} m/s", speed);
+    // Who plays safe does not mean to continue.
+    if (shot.kind != safety && shot.kind != push_out) {
+        text += fmt::format("  {:.0f} % chance to continue", 100.0 * shot.success);
+        if (shot.leaves) text += ", then " + name_of(*shot.leaves);
+    }
     const double follow = shot.strike.follow;
     const double side = shot.strike.side;
-    if (follow != 0.0) text += fmt::format(", {}", follow > 0.0 ? "follow" : "draw");
-    if (side != 0.0) text += fmt::format(", {} side", side > 0.0 ? "right" : "left");
-    text += fmt::format(": {:.0f} % chance to continue", 100.0 * shot.success);
-    if (shot.leaves) text += ", then " + name_of(*shot.leaves);
+    if (follow != 0.0) text += fmt::format("  {}", follow > 0.0 ? "follow" : "draw");
+    if (side != 0.0) text += fmt::format("  {} side", side > 0.0 ? "right" : "left");
     return text;
 }
 

@@ -175,6 +175,11 @@ std::string in_sentences(std::string text) {
     return text.empty() || text.ends_with('.') ? text : text + ".";
 }
 
+// Whether so many shots without a pot led to the new rack. After a weak break a player chose it.
+bool is_stalemate(const PoolPlay& play) {
+    return play.rules.options.stalemate > 0 && play.last_foul == PoolFoul::none;
+}
+
 std::string outcome_parts(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
     const std::string fallen = fallen_text(play);
@@ -189,7 +194,7 @@ std::string outcome_parts(const PoolPlay& play, const PlayerNames& names) {
         foul +=
             fmt::format("{}: {}. ", name_of(names, *play.shooter), rules.referee->warning_text());
     if (rules.phase == PoolPhase::breaking)
-        return foul + fmt::format("{}{} again", foul.empty() ? "Stalemate: " : "",
+        return foul + fmt::format("{}{} again", is_stalemate(play) ? "Stalemate: " : "",
                                   does(name_of(names, rules.player), "breaks"));
     if (rules.winner) return fallen + foul + win_text(play, names);
     const std::string& next = name_of(names, rules.player);

@@ -87,7 +87,7 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<HudField> field
     int column = 1;
     const int name = columns_of(info.name) + hud_field_gap;
     if (!info.name.empty() && name + columns_of(info.title) <= room) {
-        column = bar.write(column, info.name, ink_of(Role::faint, bar.look)) + hud_field_gap;
+        column = bar.write(column, info.name, ink_of(Role::text, bar.look)) + hud_field_gap;
         room -= name;
     }
     if (room >= 4 && !info.title.empty()) {

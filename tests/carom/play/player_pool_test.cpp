@@ -241,6 +241,21 @@ TEST_CASE("after a game of shots the arrows leave the table in place, and the en
     CHECK(person.player.camera().center == before);
 }
 
+TEST_CASE("a new rack that a player chose is not told as a stalemate") {
+    Person person("eight-ball");
+    for (int i = 0; i < 75; ++i)
+        person.key(key::down);
+    person.key(key::enter);
+    person.wait();
+    REQUIRE(person.play().rules.phase == PoolPhase::choosing);
+    person.key(U'2');
+    for (int i = 0; i < 20 && person.play().rules.phase == PoolPhase::choosing; ++i)
+        person.pass(0.1);
+    CHECK(person.play().rules.phase == PoolPhase::breaking);
+    person.pass(0.1);
+    CHECK_FALSE(person.sees("Stalemate"));
+}
+
 TEST_CASE("while the ball in hand is placed the hints say so") {
     Person person("eight-ball");
     CHECK(person.sees("O opponent"));
