@@ -105,10 +105,12 @@ bool are_on_two_sides(Vec2 a, Vec2 b, Vec2 start, Vec2 end) {
 }
 
 // The depth that the rounding of coordinates explains. Searches for impacts take 16 roundings of
-// one coordinate for a contact, and there are two places.
-double rounding_of_depth(Vec2 at, double reach) {
-    return 32.0 * std::numeric_limits<double>::epsilon() *
-           (std::fabs(at.x) + std::fabs(at.y) + reach);
+// one coordinate for a contact, and there are two places. Where that is more than two radii,
+// the coordinates cannot hold the balls, and nothing is explained.
+double rounding_of_depth(Vec2 at, double reach, double radius) {
+    const double depth =
+        32.0 * std::numeric_limits<double>::epsilon() * (std::fabs(at.x) + std::fabs(at.y) + reach);
+    return depth <= 2.0 * radius ? depth : 0.0;
 }
 
 // Falls in a tick, in radii. `contact` has at most 64 substeps, and holds a ball that has fallen a
@@ -419,7 +421,8 @@ void InvariantCheck::for_each_overlap(const World& world, Visit&& visit) const {
             }
             const double reach = balls.radius[i] + balls.radius[j];
             const double depth = reach - length(offset);
-            if (!(depth > rounding_of_depth(balls.position[i], reach)) ||
+            const double radius = std::min(balls.radius[i], balls.radius[j]);
+            if (!(depth > rounding_of_depth(balls.position[i], reach, radius)) ||
                 is_held(world, balls.id[i]) || is_held(world, balls.id[j]) ||
                 (world.model().filtered && !kinds_meet(world, balls.kind[i], balls.kind[j])))
                 continue;
@@ -442,7 +445,7 @@ void InvariantCheck::for_each_overlap(const World& world, Visit&& visit) const {
             const std::uint32_t i = *at;
             const double reach = balls.radius[i] + edge.radius;
             const double depth = reach - distance_to_segment(balls.position[i], edge);
-            if (!(depth > rounding_of_depth(balls.position[i], reach)) ||
+            if (!(depth > rounding_of_depth(balls.position[i], reach, balls.radius[i])) ||
                 !is_wall(world, e, balls.kind[i]) || is_held(world, balls.id[i]))
                 continue;
             visit(Pair{number(balls.id[i]), edge_mark + number(edges.id[e])}, depth,
