@@ -280,7 +280,7 @@ bool Program::end_game() {
 void Program::leave_game() {
     auto* game = std::get_if<RunningGame>(&page_);
     if (!game) return;
-    keep_key_repeat(*game);
+    keep_key_repeat(game->player.terminal().key_repeat, preferences_, settings_);
     game->keep_pool_record(true);
     is_kept_ = game->leave();
 }
@@ -288,7 +288,7 @@ void Program::leave_game() {
 void Program::interrupt() {
     auto* game = std::get_if<RunningGame>(&page_);
     if (!game) return;
-    keep_key_repeat(*game);
+    keep_key_repeat(game->player.terminal().key_repeat, preferences_, settings_);
     game->keep_pool_record(true);
     game->autosave();
     if (recording_ && !game->player.is_watching())

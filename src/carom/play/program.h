@@ -16,6 +16,7 @@
 #include "carom/play/preferences.h"
 #include "carom/play/resume.h"
 #include "carom/play/running_game.h"
+#include "carom/play/settings_file.h"
 #include "terminal/input/capabilities.h"
 
 /// The whole program except the terminal and the clock: the page that is shown, and the files
@@ -114,15 +115,13 @@ class Program {
 
     void reload(RunningGame& game);
     ViewOptions view() const;
-    void keep_key_repeat(const RunningGame& game);
-    void keep_setting(std::string_view name, std::string_view value);
     /// Changes to the next theme, and returns its name.
     std::string_view next_theme();
-    void answer_key(RunningGame& game, const InputEvent& event);
 
     PlayOptions options_;
     Preferences preferences_;
     std::vector<std::string> preference_problems_;
+    SettingsFile settings_;
     Capabilities capabilities_;
     ViewOptions view_;  ///< by options and preferences: the default of each level
     std::map<std::string, ViewOptions> views_;  ///< by path: as they were left in this run
@@ -131,7 +130,6 @@ class Program {
     std::optional<std::string> lost_recording_;
     bool mouse_ = true;
     bool is_kept_ = false;
-    bool has_told_lost_settings_ = false;  ///< told only once
     bool is_over_ = false;
     double next_autosave_ = 0.0;
     double next_look_ = 0.0;  ///< time of the next check of watched files

@@ -31,17 +31,16 @@ void keep_score(Player& player, const std::string& path, const HighScore& score)
     player.set_high_scores(std::move(kept.scores));
 }
 
-// Settings that keys of a game have changed; keep(name, value) writes one to disk.
-template <typename Keep>
-void take_settings(const Player& player, Preferences& preferences, Keep&& keep) {
+// Settings that keys of a game have changed.
+void take_settings(const Player& player, Preferences& preferences, SettingsFile& file) {
     if (player.terminal().rings != preferences.bell) {
         preferences.bell = player.terminal().rings;
-        keep("bell", preferences.bell ? "on" : "off");
+        file.keep("bell", preferences.bell ? "on" : "off");
     }
     if (const auto* const players = player.pool_players();
         players && players->hand() != preferences.hand) {
         preferences.hand = players->hand();
-        keep("hand", std::to_string(players->hand()));
+        file.keep("hand", std::to_string(players->hand()));
     }
 }
 
@@ -60,20 +59,44 @@ void Program::handle(const InputEvent& event, double now) {
     } else {
         handle_resuming(event);
     }
+    auto* const game = std::get_if<RunningGame>(&page_);
+    if (!game) return;
+    if (const auto fault = settings_.take_fault()) game->player.say(*fault);
+}
+
+void Program::watch_or_tell(const std::string& recording) {
+    if (auto problems = open_recording(recording)) {
+        tell("This recording cannot be played", std::move(*problems));
+        std::get<Notice>(page_).entry = recording;
+        return;
+    }
+    std::get<RunningGame>(page_).entry = recording;
+}
+
+std::string_view Program::next_theme() {
+    const std::string_view next = theme_after(theme_);
+    theme_ = *theme_choice(next);
+    set_capabilities(capabilities_);  // renews what is drawn
+    settings_.keep("theme", next);
+    return next;
 }
 
 void Program::handle_game(RunningGame& game, const InputEvent& event, double now) {
     const std::size_t most_saves =
         options_.guest ? options_.guest->most_saves : RunningGame::unlimited;
     if (game.prompt) return game.answer(event, most_saves);
-    if (game.key_prompt) return answer_key(game, event);
+    if (game.key_prompt) {
+        if (const auto changed = game.answer_key(event, preferences_.keys)) {
+            game.player.say(change_key(*changed, preferences_.keys, settings_));
+            game.player.set_keys(preferences_.keys);
+        }
+        return;
+    }
     const PlayRequest request = game.player.handle(event);
     if (const auto score = game.player.take_high_score())
         keep_score(game.player, game.source.path, *score);
     views_[game.source.path] = game.player.view();
-    take_settings(game.player, preferences_, [this](const char* name, const std::string& value) {
-        keep_setting(name, value);
-    });
+    take_settings(game.player, preferences_, settings_);
     game.keep_pool_record(false);
     if (next_autosave_ < now) next_autosave_ = now + autosave_interval;
     switch (request) {
@@ -99,7 +122,7 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
             mouse_ = !mouse_;
             game.player.terminal().mouse_is_off = !mouse_;
             game.player.say(mouse_ ? "mouse on" : "mouse off: the terminal has it");
-            keep_setting("mouse", mouse_ ? "on" : "off");
+            settings_.keep("mouse", mouse_ ? "on" : "off");
             break;
         case PlayRequest::theme:
             game.player.say(fmt::format("theme: {}", next_theme()));

@@ -105,14 +105,6 @@ void PoolAim::begin_turn(const Session& session) {
     if (!aim_as_before(session)) aim_at_nearest(session);
 }
 
-// In an order of their own: a ball that returns to the table has a new id.
-std::vector<Vec2> PoolAim::places_of_balls(const Session& session) {
-    std::vector<Vec2> places = session.world().balls().position;
-    std::ranges::sort(places,
-                      [](Vec2 a, Vec2 b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
-    return places;
-}
-
 bool PoolAim::aim_as_before(const Session& session) {
     if (!played_ || played_->places != places_of_balls(session)) return false;
     const Aids aids = setup_.aids;
@@ -286,6 +278,13 @@ command::Strike PoolAim::strike(const Session& session) const {
     if (session.world().model().spin) strike.side = setup_.side;
     if (session.world().model().cloth) strike.follow = setup_.follow;
     return strike;
+}
+
+std::vector<Vec2> places_of_balls(const Session& session) {
+    std::vector<Vec2> places = session.world().balls().position;
+    std::ranges::sort(places,
+                      [](Vec2 a, Vec2 b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
+    return places;
 }
 
 }  // namespace carom

@@ -93,13 +93,11 @@ class PoolAim {
     std::vector<BallId> targets(const Session& session) const;
     void begin_turn(const Session& session);
     bool aim_as_before(const Session& session);
-    static std::vector<Vec2> places_of_balls(const Session& session);
     void aim_at_nearest(const Session& session);
     bool is_break(const Session& session) const;
     Aids shown_aids() const;
     std::string next_target(const Session& session, bool backwards);
     std::optional<int> marked_pocket(const Session& session) const;
-    std::optional<int> nearest_pocket(const Session& session, Vec2 object, Vec2 way) const;
 
     ShotSetup setup_;
     std::optional<BallId> chosen_;  ///< of several; void in another player's turn
@@ -107,7 +105,7 @@ class PoolAim {
     bool has_aimed_ = false;  ///< the player has aimed in this turn, so the bearing is kept
     /// The last shot, and where it was played from.
     struct Played {
-        std::vector<Vec2> places;  ///< see places_of_balls()
+        std::vector<Vec2> places;  ///< places_of_balls()
         ShotSetup setup;
     };
     std::optional<Played> played_;
@@ -126,6 +124,8 @@ class PoolAim {
 
 /// The cue of the player in turn. Pre: PoolAim::is_at() the session's scene.
 const Cue& cue_in_turn(const Session& session);
+/// Where the balls are, in an order of its own: a ball that returns to the table has a new id.
+std::vector<Vec2> places_of_balls(const Session& session);
 /// The numbers on the balls, if a game or a rack gives them any.
 std::vector<PoolAnnotations::Number> numbers_of(const Session& session);
 /// The balls of a game of shots that have returned to the table.

@@ -8,6 +8,26 @@
 
 /// The call of the next shot, and which ball it strikes.
 namespace carom {
+namespace {
+
+// The pocket whose mouth lies nearest to the straight path of the object ball, by its angle. So
+// the call says where the shot points, and not whether it succeeds.
+std::optional<int> nearest_pocket(const Session& session, Vec2 object, Vec2 way) {
+    const auto cloth = cloth_box(session.scene());
+    if (!cloth) return std::nullopt;
+    std::optional<int> nearest;
+    double best = 0.0;
+    for (int pocket = 0; pocket < static_cast<int>(session.scene().pool.pockets.size()); ++pocket) {
+        const Vec2 there = mouth(session.scene(), *cloth, pocket) - object;
+        const double cosine = dot(there, way) / std::max(length(there), 1e-300);
+        if (nearest && cosine <= best) continue;
+        nearest = pocket;
+        best = cosine;
+    }
+    return nearest;
+}
+
+}  // namespace
 
 bool PoolAim::call_pocket(const Session& session, Vec2 place) {
     const PoolPlay* game = play(session);
@@ -72,23 +92,6 @@ PoolCall PoolAim::call(const Session& session) const {
     const auto pocket = nearest_pocket(session, object, line->object_way);
     if (!pocket) return {};
     return {PoolCall::Kind::pot, *met, *pocket};
-}
-
-// The pocket whose mouth lies nearest to the straight path of the object ball, by its angle. So
-// the call says where the shot points, and not whether it succeeds.
-std::optional<int> PoolAim::nearest_pocket(const Session& session, Vec2 object, Vec2 way) const {
-    const auto cloth = cloth_box(session.scene());
-    if (!cloth) return std::nullopt;
-    std::optional<int> nearest;
-    double best = 0.0;
-    for (int pocket = 0; pocket < static_cast<int>(session.scene().pool.pockets.size()); ++pocket) {
-        const Vec2 there = mouth(session.scene(), *cloth, pocket) - object;
-        const double cosine = dot(there, way) / std::max(length(there), 1e-300);
-        if (nearest && cosine <= best) continue;
-        nearest = pocket;
-        best = cosine;
-    }
-    return nearest;
 }
 
 std::vector<Command> PoolAim::shot(const Session& session) {
