@@ -124,6 +124,7 @@ const std::vector<std::string> rooms{
     "level/ir",
     "level/statements",
     "level/build",
+    "level/fill",
     "level/assemble",
     "level",
     "game",

@@ -9,7 +9,6 @@
 #include "level/assemble/amend.h"
 #include "level/assemble/checks.h"
 #include "level/assemble/dress_assembly.h"
-#include "level/assemble/fill.h"
 #include "level/assemble/mirror_duplicates.h"
 #include "level/assemble/motion_assembly.h"
 #include "level/assemble/pinball_assembly.h"
@@ -18,6 +17,7 @@
 #include "level/assemble/rule_assembly.h"
 #include "level/assemble/symbol_table.h"
 #include "level/assemble/world_assembly.h"
+#include "level/fill/fill.h"
 
 namespace carom {
 namespace {

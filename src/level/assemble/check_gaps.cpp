@@ -6,8 +6,8 @@
 #include <set>
 
 #include "geometry/closest.h"
-#include "level/assemble/box_tree.h"
 #include "level/assemble/checks.h"
+#include "level/fill/box_tree.h"
 
 namespace carom {
 namespace {

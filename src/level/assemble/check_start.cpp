@@ -8,7 +8,7 @@
 #include <set>
 
 #include "geometry/closest.h"
-#include "level/assemble/box_tree.h"
+#include "level/fill/box_tree.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,4 @@
-#include "level/assemble/fill.h"
+#include "level/fill/fill.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 #include "geometry/closest.h"
 #include "geometry/elementary.h"
-#include "level/assemble/hierarchical_grid.h"
-#include "level/assemble/lattice.h"
+#include "level/fill/hierarchical_grid.h"
+#include "level/fill/lattice.h"
 #include "level/ir/numbers.h"
 #include "physics/world/random.h"
 

@@ -1,4 +1,4 @@
-#include "level/assemble/box_tree.h"
+#include "level/fill/box_tree.h"
 
 #include <algorithm>
 #include <numeric>

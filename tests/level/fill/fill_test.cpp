@@ -1,4 +1,4 @@
-#include "level/assemble/fill.h"
+#include "level/fill/fill.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "level/assemble/lattice.h"
+#include "level/fill/lattice.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "level/assemble/hierarchical_grid.h"
+#include "level/fill/hierarchical_grid.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "level/assemble/box_tree.h"
+#include "level/fill/box_tree.h"
 #include "level/ir/context.h"
 
 /// Places the balls of `fill` statements at random.
