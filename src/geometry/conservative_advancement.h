@@ -41,6 +41,7 @@ struct ToiTolerance {
     /// through half this height, at the acceleration that presses them, is no impact. Length; 0
     /// switches the rule off.
     Real rest_height{};
+    std::uint64_t weight = 1;  ///< of an iteration, in ToiSearch::iterations
 
     Real rest_speed_at(const Separation<Real>& now) const {
         const bool is_pressed = rest_height > Real{} && now.normal_acceleration < Real{};
@@ -130,7 +131,7 @@ struct ToiSearch {
 
     Real now{};  ///< every search clears the time up to here before it is suspended, s
     std::optional<Real> resume_time;  ///< the earliest time that a suspended search has cleared, s
-    std::uint64_t iterations = 0;     ///< of all searches
+    std::uint64_t iterations = 0;     ///< of all searches, each by its weight
 
     /// Searches that follow start at `time`.
     void begin_at(const Real& time) {
@@ -172,7 +173,7 @@ std::optional<Real> first_time_of_impact(SeparationAt&& separation_at, Real begi
     std::uint32_t iterations = 0;
     while (iterations < std::max(repeated, ToiSearch<Real>::most_iterations)) {
         const Separation<Real> now = separation_at(time);
-        ++search.iterations;
+        search.iterations += tolerance.weight;
         const bool is_sharper = !(now.acceleration_bound < zero) &&
                                 Real(64.0) * now.acceleration_bound < acceleration_bound;
         const Real& bound = is_sharper ? now.acceleration_bound : acceleration_bound;

@@ -42,7 +42,8 @@ std::optional<Real> ball_time_of_impact(const Trajectory<Real>& a, const Traject
     if (on_cloth)
         limits.rest_height =
             Real(2.0 * (is_kinematic ? moving_rest_height : cloth_rest_height)) * small;
-    return first_time_of_impact<Real>(separation_at, begin, last, bound, limits, search);
+    return first_time_of_impact<Real>(separation_at, begin, last, bound,
+                                      weighed(weighed(limits, a), b), search);
 }
 
 #define CAROM_FOR(Real)                                                                     \

@@ -53,6 +53,14 @@ ToiTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach, co
     return {rounding_at(position, reach), greater(rounding, rest_speed)};
 }
 
+/// The same for a search along this trajectory, with the work of its iterations: the place of a
+/// ball that turns is a series.
+template <typename Real>
+ToiTolerance<Real> weighed(ToiTolerance<Real> limits, const Trajectory<Real>& trajectory) {
+    if (trajectory.motion == Motion::turning) limits.weight = turning_iteration;
+    return limits;
+}
+
 /// The separation of two points at `offset` from one another, with the sum of the radii `reach`.
 /// Where the points coincide, only the distance is set.
 template <typename Real>

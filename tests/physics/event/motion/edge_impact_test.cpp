@@ -131,3 +131,20 @@ TEST_CASE("edge impact: a turning edge meets even a much larger ball in time") {
         CHECK(gap_at(*time) > -1e-9);
     }
 }
+
+// Regression: a tick of three balls that turned under strong drag took ten seconds, since the
+// budget counted their iterations like all others.
+TEST_CASE("edge impact: iterations about a ball that turns count as more work") {
+    Field<double> field;
+    field.gravity = {0.0, -1.0};
+    const Edge<double> wall(Capsule{{2.0, -3.0}, {2.0, 3.0}, 0.1}, {});
+    Trajectory<double> trajectory;
+    trajectory.motion = Motion::turning;
+    trajectory.center = {0.0, 0.0};
+    trajectory.position = {0.6, 0.8};
+    trajectory.velocity = {0.4, -0.3};
+    ToiSearch<double> search;
+    CHECK(!edge_time_of_impact<double>(trajectory, wall, 0.4, field, 100.0, search));
+    CHECK(search.iterations > 0);
+    CHECK(search.iterations % turning_iteration == 0);
+}
