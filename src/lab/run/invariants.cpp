@@ -1,9 +1,4 @@
-// This file is over 320 lines because it holds one idea, the checks of one tick: they share the
-// order of balls, the state before the tick and the exemptions.
-
 #include "lab/run/invariants.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,59 +6,9 @@
 #include <numeric>
 
 #include "physics/event/motion/event_memory.h"
-#include "physics/laws/bounce.h"
 
 namespace carom {
 namespace {
-
-double energy_of_seesaws(const World& world) {
-    double sum = 0.0;
-    for (const Seesaw& seesaw : world.seesaws())
-        sum += 0.5 * seesaw.inertia * seesaw.rate * seesaw.rate;
-    return sum;
-}
-
-double energy_of(const World& world) {
-    const Balls& balls = world.balls();
-    const Model& model = world.model();
-    double sum = 0.0;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const double mass = 1.0 / balls.inverse_mass[i];
-        double square = length_squared(balls.velocity[i]);
-        if (model.spin) {
-            const double inertia = *model.spin * balls.radius[i] * balls.radius[i];
-            square += inertia * balls.spin[i] * balls.spin[i];
-            // On cloth the ball rolls too: its roll is a surface speed.
-            if (model.cloth) square += *model.spin * length_squared(balls.roll[i]);
-        }
-        sum += 0.5 * mass * square;
-        if (model.gravity && !model.cloth) sum -= mass * dot(*model.gravity, balls.position[i]);
-    }
-    return sum + energy_of_seesaws(world);
-}
-
-double kinetic_energy_of(const World& world) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < world.balls().size(); ++i)
-        sum += 0.5 * length_squared(world.balls().velocity[i]) / world.balls().inverse_mass[i];
-    return sum + energy_of_seesaws(world);
-}
-
-// The least potential energy of a ball for each unit of its mass.
-double lowest_potential(const World& world) {
-    const Vec2 gravity = world.model().gravity.value_or(Vec2{});
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Vec2 position : world.balls().position)
-        lowest = std::min(lowest, -dot(gravity, position));
-    return lowest;
-}
-
-// Whether something besides the balls may give energy in a tick.
-bool may_be_given_energy(const World& world) {
-    return !world.held_balls().empty() || !world.held_capsules().empty() ||
-           !world.flippers().empty() || world.model().kicks ||
-           (world.model().wrap && world.model().gravity);
-}
 
 bool is_moved(const World& world, CapsuleId id) {
     return is_held(world, id) ||
@@ -113,84 +58,20 @@ double rounding_of_depth(Vec2 at, double reach, double radius) {
     return depth <= 2.0 * radius ? depth : 0.0;
 }
 
-// Falls in a tick, in radii. `contact` has at most 64 substeps, and holds a ball that has fallen a
-// quarter of its radius. Under `swept` a ball that comes to rest separates at 1.5e-6 of what
-// gravity gives in a tick, which must not move it by a radius. Under `event` an approach of 8e-10
-// of the speed of a fall through the radius is rounding, which must not move it by a thousandth of
-// a radius.
-constexpr double most_fall_of_contact = 64.0 * 64.0 * 0.25;
-constexpr double most_fall_of_swept = 1.0 / 1.5e-6;
-constexpr double most_fall_of_event = 1e-3 / 8e-10 * (1e-3 / 8e-10);
-
 constexpr std::uint64_t edge_mark = std::uint64_t{1} << 32;
 
 }  // namespace
 
-Promise promise_of(SolverKind solver) {
-    switch (solver) {
-        case SolverKind::event:
-            return {.energy = 1e-9,
-                    .energy_of_clustered = 1e-2,
-                    .overlap = 1e-3,
-                    .overlap_of_clustered = 0.75,
-                    .parted = 1e-6,
-                    .most_fall = most_fall_of_event,
-                    .keeps_sides = true,
-                    .moves = true};
-        case SolverKind::swept:
-            return {.energy = 1e-3,
-                    .overlap = 1e-3,
-                    .most_fall = most_fall_of_swept,
-                    .keeps_sides = true,
-                    .moves = true};
-        case SolverKind::contact:
-            return {.energy = 1e-2,
-                    .counts_heights = true,
-                    .overlap = 0.75,
-                    .lifts_overlaps = true,
-                    .most_fall = most_fall_of_contact,
-                    .keeps_sides = true,
-                    .moves = true};
-        default:
-            return {};
-    }
-}
-
-std::size_t count_too_small(const Promise& promise, const World& world) {
-    if (!promise.most_fall || !world.model().gravity || world.model().cloth) return 0;
-    const double tick = world.tick_length();
-    const double least = length(*world.model().gravity) * tick * tick / *promise.most_fall;
-    return static_cast<std::size_t>(
-        std::ranges::count_if(world.balls().radius, [&](double r) { return r < least; }));
-}
-
-std::string_view name(Breach::Kind kind) {
-    constexpr std::string_view names[] = {"finite", "energy", "side", "escape", "overlap", "time"};
-    return names[static_cast<std::size_t>(kind)];
-}
-
-std::string text(const Breach& breach, double rate) {
-    std::string where;
-    if (breach.ball) where += fmt::format(", ball {}", number(*breach.ball));
-    if (breach.other) where += fmt::format(", ball {}", number(*breach.other));
-    if (breach.edge) where += fmt::format(", edge {}", number(*breach.edge));
-    return fmt::format("{} is broken in tick {} ({:.6g} s){}: by {:.6g}", name(breach.kind),
-                       breach.tick, static_cast<double>(breach.tick) / rate, where, breach.amount);
-}
-
 InvariantCheck::InvariantCheck(const Scene& scene, SolverKind solver)
     : promise_(promise_of(solver)),
-      escape_(scene),
-      reports_impulses_(solver != SolverKind::contact) {
+      energy_(promise_, solver != SolverKind::contact, scene.world),
+      escape_(scene) {
     const World& world = scene.world;
     for (const std::vector<CapsuleId>& outline : scene.outlines)
         for (const CapsuleId id : outline)
             if (const auto index = index_of(world, id))
                 outlines_.push_back({id, world.capsules().shape[*index]});
     escaped_ = escape_.escaped(world);
-    baseline_ = energy_of(world);
-    ground_ = lowest_potential(world);
-    scale_ = energy_in_play(world);
     exempt_deep_pairs(world);
     remember(world);
 }
@@ -206,11 +87,10 @@ void InvariantCheck::exempt_deep_pairs(const World& world) {
 }
 
 void InvariantCheck::note_start(const World& world) {
-    is_hybrid_step_ = !event_memory(world).clustered.empty();
+    energy_.begin(world);
     if (world.stamps() == stamps_) return;
     escape_.note_births(world);
-    const double given = energy_of(world) - energy_;
-    baseline_ += given;
+    energy_.take_over(world);
     escaped_ = escape_.escaped(world);
     exempt_deep_pairs(world);
     remember(world);
@@ -223,13 +103,15 @@ std::optional<Breach> InvariantCheck::note_tick(const World& world, bool stood_s
     escape_.note_births(world);
     sort(world);
     if (count_too_small(promise_, world) > 0) {
-        baseline_ = energy_of(world);
+        energy_.restart(world);
         escaped_ = escape_.escaped(world);
         exempt_deep_pairs(world);
         remember(world);
         return std::nullopt;
     }
-    breach = check_energy(world, contacts);
+    if (const auto gain = energy_.check(world, contacts, ids_ == world.balls().id,
+                                        promise_.lifts_overlaps && !exempt_.empty()))
+        breach = Breach{.kind = Breach::Kind::energy, .tick = world.tick(), .amount = *gain};
     if (!breach && promise_.keeps_sides) breach = check_sides(world);
     if (!breach && promise_.keeps_sides) {
         const std::size_t escaped = escape_.escaped(world);
@@ -246,17 +128,11 @@ std::optional<Breach> InvariantCheck::note_tick(const World& world, bool stood_s
 
 void InvariantCheck::remember(const World& world) {
     stamps_ = world.stamps();
-    energy_ = energy_of(world);
+    energy_.remember(world);
     tick_ = world.tick();
-    next_ball_ = world.next_ball();
     ids_ = world.balls().id;
     position_ = world.balls().position;
     velocity_ = world.balls().velocity;
-    moved_.clear();
-    for (const Mover& mover : world.movers())
-        for (const MovedEdge& edge : mover.edges)
-            if (const auto index = index_of(world, edge.capsule))
-                moved_.push_back({edge.capsule, world.capsules().shape[*index]});
 }
 
 void InvariantCheck::sort(const World& world) {
@@ -285,78 +161,6 @@ std::optional<Breach> InvariantCheck::check_finite(const World& world) const {
         }
     }
     return std::nullopt;
-}
-
-double InvariantCheck::energy_in_play(const World& world) const {
-    double sum = kinetic_energy_of(world);
-    if (!promise_.counts_heights || !world.model().gravity || world.model().cloth) return sum;
-    for (std::size_t i = 0; i < world.balls().size(); ++i)
-        sum += std::max(0.0, -dot(*world.model().gravity, world.balls().position[i]) - ground_) /
-               world.balls().inverse_mass[i];
-    return sum;
-}
-
-// The most energy that movers may have given in the tick: for each contact, the impulse times the
-// velocity of the edge there, and at most that of friction along it. A ball leaves a mover with a
-// little speed of its own even if it came with none (laws/bounce.h).
-double InvariantCheck::most_work_of_movers(const World& world,
-                                           std::span<const Contact> contacts) const {
-    double work = 0.0;
-    for (const Contact& contact : contacts) {
-        if (contact.kind != ContactKind::ball_edge) continue;
-        const auto was =
-            std::ranges::find(moved_, CapsuleId{contact.b}, &std::pair<CapsuleId, Capsule>::first);
-        const auto edge = index_of(world, CapsuleId{contact.b});
-        const auto ball = index_of(world, BallId{contact.a});
-        if (was == moved_.end() || !edge || !ball) continue;
-        const Vec2 start = world.capsules().shape[*edge].start - was->second.start;
-        const Vec2 end = world.capsules().shape[*edge].end - was->second.end;
-        const double since = contact.time * world.rate() - static_cast<double>(tick_);
-        const Vec2 from = was->second.start + start * since;
-        const Vec2 span = was->second.end + end * since - from;
-        const double whole = length_squared(span);
-        const double share =
-            whole > 0.0 ? std::clamp(dot(contact.point - from, span) / whole, 0.0, 1.0) : 0.0;
-        const Vec2 surface = (start + (end - start) * share) * world.rate();
-        const double across = dot(surface, contact.normal);
-        const double along = std::fabs(cross(surface, contact.normal));
-        const double friction =
-            world.model().spin ? world.materials()[world.capsules().material[*edge]].friction : 0.0;
-        const double pull = length(world.model().gravity.value_or(Vec2{}));
-        const double lift =
-            std::max(driven_lift * std::fabs(across),
-                     std::sqrt(2.0 * driven_lift_height * pull * world.balls().radius[*ball]));
-        work += contact.impulse * (across + friction * along) +
-                0.5 / world.balls().inverse_mass[*ball] * lift * lift;
-    }
-    return work;
-}
-
-std::optional<Breach> InvariantCheck::check_energy(const World& world,
-                                                   std::span<const Contact> contacts) {
-    const double energy = energy_of(world);
-    scale_ = std::max(scale_, energy_in_play(world));
-    // A ball may appear and be removed within the tick, and meet another one in between.
-    if (!promise_.energy || ids_ != world.balls().id || next_ball_ != world.next_ball()) {
-        baseline_ = energy;
-        clustered_gain_ = 0.0;
-        return std::nullopt;
-    }
-    const bool is_known =
-        reports_impulses_ && !is_hybrid_step_ && event_memory(world).clustered.empty();
-    if (!moved_.empty())
-        baseline_ = is_known ? baseline_ + most_work_of_movers(world, contacts)
-                             : std::max(baseline_, energy);
-    const bool is_lifted = promise_.lifts_overlaps && !exempt_.empty();
-    if (is_lifted || may_be_given_energy(world)) baseline_ = std::max(baseline_, energy);
-    const double gain = energy - baseline_;
-    double most = clustered_gain_ + *promise_.energy * scale_;
-    if (is_hybrid_step_) most = std::max(most, promise_.energy_of_clustered * scale_);
-    // Potential energy is measured from the origin: its rounding is that of the coordinates.
-    const double rounding = 1e-12 * std::fabs(baseline_);
-    if (is_hybrid_step_) clustered_gain_ = std::max(clustered_gain_, gain);
-    if (!(gain > most + rounding)) return std::nullopt;
-    return Breach{.kind = Breach::Kind::energy, .tick = world.tick(), .amount = gain};
 }
 
 std::optional<Breach> InvariantCheck::check_sides(const World& world) const {

@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "lab/run/breach.h"
+#include "lab/run/energy_check.h"
 #include "lab/run/escape.h"
+#include "lab/run/promise.h"
 #include "level/scene/scene.h"
-#include "physics/tick/solver_settings.h"
 #include "physics/world/contact.h"
 #include "physics/world/world.h"
 
@@ -18,49 +18,6 @@
 /// positions, velocities and shapes alone, with code that no solver shares, so that a fault of a
 /// solver cannot hide itself.
 namespace carom {
-
-/// What a solver promises; an absent value is no promise. `discrete` and `substep` promise nothing:
-/// docs/accuracy.md measures their errors.
-struct Promise {
-    std::optional<double> energy;  ///< largest gain, as a share of the largest energy in play
-    /// The energy in play is kinetic and potential, from the lowest ball at the start; else it is
-    /// kinetic.
-    bool counts_heights = false;
-    /// The largest gain in ticks that begin with dense clusters, which `contact` steps
-    /// (physics/event/hybrid_step.h).
-    double energy_of_clustered = 0.0;
-    std::optional<double> overlap;  ///< deepest, as a share of the smaller radius
-    /// Deepest overlap of a ball in the cluster of a hybrid step (physics/event/hybrid_step.h).
-    double overlap_of_clustered = 0.0;
-    /// A pair that starts inside one another has separated once it overlaps by no more than this
-    /// share of the smaller radius. Until then a ball that turns back may go as deep as it was.
-    double parted = 1e-3;
-    /// It lifts overlapping bodies apart, which may add the work done against gravity.
-    bool lifts_overlaps = false;
-    /// How far gravity may move a ball in a tick, in radii. While there are smaller balls, which a
-    /// run notes (run_record.h), all that is promised is finite numbers.
-    std::optional<double> most_fall;
-    bool keeps_sides = false;  ///< no ball passes through an edge or out of an outline
-    bool moves = false;        ///< a ball with a velocity does not stay where it was
-};
-Promise promise_of(SolverKind solver);
-/// How many balls are too small for the promise.
-std::size_t count_too_small(const Promise& promise, const World& world);
-
-/// An invariant that does not hold.
-struct Breach {
-    enum class Kind : std::uint8_t { not_finite, energy, side, escape, overlap, time };
-    Kind kind = Kind::not_finite;
-    std::uint64_t tick = 0;         ///< the first after which it does not, from 1
-    std::optional<BallId> ball;     ///< none: the scene as a whole
-    std::optional<BallId> other;    ///< that it overlaps
-    std::optional<CapsuleId> edge;  ///< that it overlaps, or has passed
-    double amount = 0.0;            ///< energy gained, depth, or speed of a ball that did not move
-};
-/// "energy", "side" ...
-std::string_view name(Breach::Kind kind);
-/// One line for people, without its end.
-std::string text(const Breach& breach, double rate);
 
 /// Checks a run, tick by tick.
 ///
@@ -103,9 +60,6 @@ class InvariantCheck {
     using Pair = std::pair<std::uint64_t, std::uint64_t>;
 
     std::optional<Breach> check_finite(const World& world) const;
-    std::optional<Breach> check_energy(const World& world, std::span<const Contact> contacts);
-    double energy_in_play(const World& world) const;
-    double most_work_of_movers(const World& world, std::span<const Contact> contacts) const;
     std::optional<Breach> check_sides(const World& world) const;
     std::optional<Breach> check_overlap(const World& world);
     std::optional<Breach> check_time(const World& world, bool stood_still) const;
@@ -118,25 +72,17 @@ class InvariantCheck {
     void for_each_overlap(const World& world, Visit&& visit) const;
 
     Promise promise_;
+    EnergyCheck energy_;
     EscapeWatch escape_;
     std::size_t escaped_ = 0;
     std::vector<std::pair<CapsuleId, Capsule>> outlines_;  // as they were at the start
-    std::vector<std::pair<CapsuleId, Capsule>> moved_;     // edges of movers, before the tick
-    bool reports_impulses_ = true;                         // the solver, of all contacts
     Stamps stamps_;                                        // after the last tick
-    double energy_ = 0.0;                                  // after the last tick
-    std::uint64_t tick_ = 0;
-    std::uint32_t next_ball_ = 0;  // before the tick, like the three below
+    std::uint64_t tick_ = 0;                               // before the tick, like the three below
     std::vector<BallId> ids_;
     std::vector<Vec2> position_;
     std::vector<Vec2> velocity_;
     std::vector<std::uint32_t> order_;  // of balls, by x
     double widest_ = 0.0;               // radius
-    double baseline_ = 0.0;             // energy at the start, and what was added since
-    double clustered_gain_ = 0.0;       // beyond baseline_, from hybrid steps
-    bool is_hybrid_step_ = false;       // the tick begins with dense clusters
-    double ground_ = 0.0;               // potential for each unit of mass, of the lowest ball
-    double scale_ = 0.0;                // the largest energy in play
     std::vector<Pair> exempt_;          // pairs that started too deep, ascending
 };
 
