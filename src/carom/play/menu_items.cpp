@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "carom/controllers/pinball_display.h"
+#include "carom/controllers/pinball_panel.h"
 #include "carom/files/high_scores.h"
 #include "carom/files/kept_recordings.h"
 #include "carom/files/menu_list.h"
