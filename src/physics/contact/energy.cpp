@@ -82,7 +82,7 @@ double ContactEnergy::gain_of_balls() const {
     return gain;
 }
 
-std::uint32_t ContactEnergy::group_of(std::uint32_t body) {
+std::uint32_t ContactEnergy::root_of(std::uint32_t body) {
     while (parent_[body] != body)
         body = parent_[body] = parent_[parent_[body]];
     return body;
@@ -96,32 +96,32 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
     for (const ContactConstraint& constraint : constraints)
         if (touches(constraint) && !bodies_.is_kinematic(constraint.a) &&
             !bodies_.is_kinematic(constraint.b))
-            parent_[group_of(constraint.a)] = group_of(constraint.b);
-    for (const ContactConstraint& constraint : constraints)
-        if (is_embedded(bodies_, pairs_[constraint.pair]))
-            groups_[group_of(constraint.a)].is_embedded = true;
-    for (const ContactConstraint& constraint : constraints)
-        if (constraint.impulse > 0.0)
-            for (const std::uint32_t body : {constraint.a, constraint.b})
-                if (!bodies_.is_kinematic(body)) groups_[group_of(body)].is_pressed = true;
+            parent_[root_of(constraint.a)] = root_of(constraint.b);
+    for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
+        parent_[i] = root_of(i);
     for (const ContactConstraint& constraint : constraints) {
+        const ContactPair& pair = pairs_[constraint.pair];
+        if (is_embedded(bodies_, pair)) groups_[parent_[constraint.a]].is_embedded = true;
+        if (!(constraint.impulse > 0.0)) continue;
         const bool by_a = bodies_.is_kinematic(constraint.a);
         const bool by_b = bodies_.is_kinematic(constraint.b);
-        if (!(constraint.impulse > 0.0) || by_a == by_b) continue;
-        Group& group = groups_[group_of(by_a ? constraint.b : constraint.a)];
+        if (!by_a) groups_[parent_[constraint.a]].is_pressed = true;
+        if (!by_b) groups_[parent_[constraint.b]].is_pressed = true;
+        if (by_a == by_b) continue;
+        Group& group = groups_[parent_[by_a ? constraint.b : constraint.a]];
         group.is_supported = true;
-        group.stays = group.stays || pairs_[constraint.pair].is_kinematic;
+        group.stays = group.stays || pair.is_kinematic;
     }
     for (const std::uint32_t p : pairs_.kinematic()) {
         const ContactPair& pair = pairs_[p];
         if (!pair.is_hinged || pair.state != ContactState::constraint || !(pair.impulse > 0.0))
             continue;
-        Group& group = groups_[group_of(pair.a)];
+        Group& group = groups_[parent_[pair.a]];
         group.is_supported = group.stays = true;
     }
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
         if (bodies_.is_kinematic(i)) continue;
-        Group& group = groups_[group_of(i)];
+        Group& group = groups_[parent_[i]];
         const double mass = 1.0 / bodies_.body[i].inverse_mass;
         // What impacts alone have given is not for the constraints to pay.
         if (group.is_pressed) group.gain += gain_of(i);
@@ -136,13 +136,13 @@ void ContactEnergy::find_groups(std::span<const ContactConstraint> constraints) 
 // followed it into the room that it left, deeper than it is in there.
 bool ContactEnergy::have_room(const ContactPair& pair) {
     const auto way_back = [&](std::uint32_t body) {
-        const Group& group = groups_[group_of(body)];
+        const Group& group = groups_[parent_[body]];
         const bool goes = group.gain > 0.0 && group.lift > 0.0 && group.may_go_back();
         return goes ? bodies_.displacement[body] : Vec2{};
     };
     if (!bodies_.is_ball(pair.b) || bodies_.is_kinematic(pair.a) || bodies_.is_kinematic(pair.b))
         return true;
-    if (group_of(pair.a) == group_of(pair.b)) return true;
+    if (parent_[pair.a] == parent_[pair.b]) return true;
     const Vec2 change = way_back(pair.b) - way_back(pair.a);
     if (change == Vec2{}) return true;
     Vec2 offset = bodies_.position[pair.a] - bodies_.position[pair.b];
@@ -158,7 +158,7 @@ void ContactEnergy::find_staying() {
         for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
             const ContactPair& pair = pairs_[p];
             if (have_room(pair)) continue;
-            groups_[group_of(pair.a)].stays = groups_[group_of(pair.b)].stays = true;
+            groups_[parent_[pair.a]].stays = groups_[parent_[pair.b]].stays = true;
             has_changed = true;
         }
     }
@@ -173,7 +173,7 @@ double ContactEnergy::take_back(double excess) {
     double taken = 0.0;
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
         if (bodies_.is_kinematic(i)) continue;
-        const Group& group = groups_[group_of(i)];
+        const Group& group = groups_[parent_[i]];
         if (group.gain > 0.0) taken += take_back(i, group, std::min(1.0, excess / gains));
     }
     return taken;
@@ -184,9 +184,9 @@ double ContactEnergy::take_back(double excess) {
 double ContactEnergy::take_from_hit(std::span<const BodyPair> impacts, double excess) {
     hit_.clear();
     for (const auto& [a, b] : impacts) {
-        if (group_of(a) == group_of(b)) continue;
-        if (groups_[group_of(b)].is_pressed && !groups_[group_of(a)].is_pressed) hit_.push_back(a);
-        if (groups_[group_of(a)].is_pressed && !groups_[group_of(b)].is_pressed) hit_.push_back(b);
+        if (parent_[a] == parent_[b]) continue;
+        if (groups_[parent_[b]].is_pressed && !groups_[parent_[a]].is_pressed) hit_.push_back(a);
+        if (groups_[parent_[a]].is_pressed && !groups_[parent_[b]].is_pressed) hit_.push_back(b);
     }
     std::ranges::sort(hit_);
     hit_.erase(std::unique(hit_.begin(), hit_.end()), hit_.end());

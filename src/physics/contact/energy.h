@@ -74,7 +74,7 @@ class ContactEnergy {
     double squares_of(Vec2 velocity, double surface_speed) const;
     double kinetic_energy_of(std::uint32_t body) const;
     double gain_of(std::uint32_t body) const;
-    std::uint32_t group_of(std::uint32_t body);
+    std::uint32_t root_of(std::uint32_t body);
     void find_groups(std::span<const ContactConstraint> constraints);
     bool have_room(const ContactPair& pair);
     void find_staying();
@@ -88,7 +88,7 @@ class ContactEnergy {
     double stored_ = 0.0;
     std::optional<double> energy_{};  // of all balls, counted once a tick where they touch
     // Scratch of taking back.
-    std::vector<std::uint32_t> parent_;  // by ball: another one of its group, or itself
+    std::vector<std::uint32_t> parent_;  // by ball: its group, once groups are found
     std::vector<Group> groups_;          // by the ball that is its own parent
     std::vector<std::uint32_t> hit_;  // balls hit by groups that they do not belong to, ascending
 };
