@@ -141,7 +141,7 @@ std::optional<Problems> Program::open(const LevelSource& source) {
     OpenedGame& game = std::get<OpenedGame>(opened);
     if (recording_) game.session.keep_all_commands();
     Player player(std::move(game.session), view(), preferences_.keys, game.solver_is_picked);
-    // The lines below a table of shots have the aim, so its goal is told at the start.
+    // The lines below the table show the aim there, so the goal is shown once, at the start.
     if (shots_of(player.session())) player.say(words_of(player.session().scene().comment).goal);
     if (!game.warnings.empty()) player.say(game.warnings.front());
     if (!preference_problems_.empty()) player.complain(preference_problems_.front());

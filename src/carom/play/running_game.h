@@ -50,7 +50,7 @@ struct RunningGame {
     void compare_marks();
     /// Asks for a name to save the level under; the game waits. Complains where it cannot be saved.
     void ask_for_name();
-    /// The same for a recording of the game so far.
+    /// Asks under which name to keep a recording of the game so far.
     void ask_for_recording_name();
     /// Answers the question. `most`: see save_level and keep_recording.
     void answer(const InputEvent& event, std::size_t most = unlimited);

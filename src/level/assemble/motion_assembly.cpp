@@ -24,7 +24,7 @@ struct MovingWords {
     std::string_view once;
 };
 
-// Whether nothing keeps the edge from being moved; else the author is told what does.
+// Whether the edge may be moved; if not, reports why.
 bool is_free(const CapsuleIr& edge, const Word& name, Reporter& reporter,
              const MovingWords& words) {
     const auto refuse = [&](FaultCode code, const std::string& why, std::string_view remedy) {

@@ -224,7 +224,7 @@ TEST_CASE("an undone shot and another try begin with the aim of the shot before"
     CHECK(at_drill.sees("2.20 m/s"));
 }
 
-TEST_CASE("after a game of shots the arrows leave the table in place, and the end is told") {
+TEST_CASE("after a game of shots, arrow keys do not pan the table, and the result is shown") {
     test::PersonAtWindow person(session_of("puzzle-01"), 80, 24);
     CHECK(person.sees("Straight in"));
     CHECK(person.sees("Clear the table. (0 of"));

@@ -53,8 +53,8 @@ ToiTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach, co
     return {rounding_at(position, reach), greater(rounding, rest_speed)};
 }
 
-/// The same for a search along this trajectory, with the work of its iterations: the place of a
-/// ball that turns is a series.
+/// These tolerances for a search along this trajectory. An iteration about a turning ball counts as
+/// more work, since its position is a series.
 template <typename Real>
 ToiTolerance<Real> weighed(ToiTolerance<Real> limits, const Trajectory<Real>& trajectory) {
     if (trajectory.motion == Motion::turning) limits.weight = turning_iteration;
