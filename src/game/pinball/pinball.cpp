@@ -91,10 +91,12 @@ void push_table(Pinball game) {
     if (state.tilt_meter >= meter_tilts || state.warnings > game.table().warnings) tilt(game);
 }
 
-void note_launch(Pinball game) {
+// A player's launch of the only ball starts the ball saver: the first, and one after a plunge too
+// weak to leave the lane.
+void note_launch(Pinball game, bool by_player) {
     apply_rules(game, RuleEvent::launch);
-    if (std::exchange(game.state.is_launched, true)) return;
-    save_for(game, game.table().save);
+    const bool is_first = !std::exchange(game.state.is_launched, true);
+    if (is_first || (by_player && balls_in_play(game) == 1)) save_for(game, game.table().save);
 }
 
 void update_plunger(Pinball game) {
@@ -111,7 +113,7 @@ void update_plunger(Pinball game) {
     state.launch_at = 0;
     if (!is_launched) return;
     if (state.to_serve == 0) state.serves_itself = false;
-    note_launch(game);
+    note_launch(game, false);
 }
 
 }  // namespace
@@ -136,6 +138,7 @@ PinballState begin_pinball(const Scene& scene) {
 void update_pinball(const Scene& scene, World& world, PinballState& state,
                     std::span<const Contact> contacts) {
     const Pinball game{scene, world, state};
+    wait_for_launch(game);
     run_rules(game);
     hit_devices(game, contacts);
     expire_lights(game);
@@ -175,7 +178,7 @@ void pull_plunger(const Scene& scene, World& world, PinballState& state, double 
     const Pinball game{scene, world, state};
     state.is_down[static_cast<std::size_t>(Button::plunger)] = false;
     state.pull = lets_go ? 0.0 : share;
-    if (lets_go && launch(game, share)) note_launch(game);
+    if (lets_go && launch(game, share)) note_launch(game, true);
 }
 
 void press(const Scene& scene, World& world, PinballState& state, Button button, bool is_down) {
@@ -193,7 +196,7 @@ void press(const Scene& scene, World& world, PinballState& state, Button button,
             if (is_down && scene.table.is_game && state.phase == Phase::over) {
                 begin_game_again(game);
             } else if (!is_down) {
-                if (launch(game, state.pull)) note_launch(game);
+                if (launch(game, state.pull)) note_launch(game, true);
                 state.pull = 0.0;
             }
             break;

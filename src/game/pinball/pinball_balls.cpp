@@ -149,6 +149,19 @@ std::size_t balls_in_play(Pinball game) {
     return game.world.balls().size() - game.table().captives.size() - game.state.locked.size();
 }
 
+void wait_for_launch(Pinball game) {
+    PinballState& state = game.state;
+    if (!game.table().is_game || state.phase != Phase::playing || state.to_serve > 0 ||
+        state.launch_at != 0 || balls_in_play(game) != 1 || !is_on_plunger(game.scene, game.world))
+        return;
+    const auto stand = [&](std::uint64_t& end) {
+        if (end > game.now()) ++end;
+    };
+    stand(state.save_until);
+    std::ranges::for_each(state.rules.timer_ends, stand);
+    std::ranges::for_each(state.lit_until, stand);
+}
+
 void serve(Pinball game) {
     PinballState& state = game.state;
     const Balls& balls = game.scene.world.balls();

@@ -85,6 +85,10 @@ void begin_game_again(Pinball game);
 void count_drained(Pinball game);
 void go_on_after_count(Pinball game);
 
+/// While the only ball lies on a plunger and waits for the player, time stands for the ball saver,
+/// the timers of the rules, and lights that go out by themselves.
+void wait_for_launch(Pinball game);
+
 /// Launches the balls on a plunger with this share of its speed. False: there are none.
 bool launch(Pinball game, double pull);
 

@@ -106,6 +106,33 @@ TEST_CASE("a ball that drains early is saved, a late one ends with its bonus") {
     CHECK(game.world.balls().size() == 1);
 }
 
+TEST_CASE("while the only ball lies on the plunger again, ball saver, timers and lights stand") {
+    Game game(
+        "game pinball save=2s\ntimer hurry 1s\non ball launch start hurry, light arrow 1s\n"
+        "on hurry ends score 1\n");
+    const auto plunge = [&] {
+        game.press(Button::plunger, true);
+        game.press(Button::plunger, false);
+        game.run(0.1);
+    };
+    game.send({390, 30.1}, {});
+    plunge();
+    game.run(0.5);
+    // Too weak: it is back.
+    game.send({390, 30.1}, {}, 5.0);
+    CHECK(game.state().score == 0);
+    CHECK(game.state().save_until > game.world.tick());
+    CHECK(std::ranges::count(game.state().is_lit, 1) >= 2);  // the kickback too
+    const std::uint64_t stood = game.state().save_until - game.world.tick();
+    CHECK(stood < 2000);
+    plunge();
+    CHECK(game.state().save_until - game.world.tick() > stood);
+    game.send({200, 300}, {}, 1.2);
+    CHECK(game.state().score == 1);
+    game.send({200, 30}, {0.0, -1.0}, 0.1);
+    CHECK(game.state().message == "BALL SAVED");
+}
+
 TEST_CASE("an extra ball is played before the next one, and multiball has its own ball saver") {
     Game game("game pinball balls=1 save=1s\non pops hit extraball\non stand hit multiball 3\n");
     game.send({200, 460}, {0.0, 1.0});
