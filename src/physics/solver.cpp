@@ -85,6 +85,7 @@ struct Solver::State {
     TickUndo undo;
     HandStep hands;
     MoverStep movers;
+    SinkDrain sinks;
     World before;  // a tick that may be repeated
 
     TickOutcome advance(World& world, const std::function<bool()>& keep_going,
@@ -193,7 +194,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     count_collisions(world, state.contacts);
     wrap_points(world.model().wrap, state.contacts);
     wrap_points(world.model().wrap, state.pressing);
-    drain_sinks(world);
+    state.sinks.drain(world);
     return state.standing.empty() ? outcome : TickOutcome::stood_still;
 }
 

@@ -111,6 +111,7 @@ void record_tick(const Scene& scene, const World& world, PoolPlay& play,
     note_contacts(scene, world, play, contacts);
     note_pocketed(scene, world, play);
     thaw(world, play);
+    if (play.has_crossed) return;
     const auto cue = play.balls[cue_ball] ? index_of(world, *play.balls[cue_ball]) : std::nullopt;
     if (cue && is_beyond_string(scene, world.balls().position[*cue])) play.has_crossed = true;
 }

@@ -26,6 +26,7 @@ template <typename Real>
 auto WorldSync<Real>::begin() -> Begun {
     const World& world = *scene_.world;
     scatter_counts_ = world.balls().edge_contacts;
+    began_ = scene_.now;
     is_rebuilt_ = is_unchanged_ = false;
     trajectories_.begin_log(!writes_lines());
     const Begun begun = begin_from(world);

@@ -85,7 +85,6 @@ template <typename Real>
 void WorldSync<Real>::write_lines(World& world) {
     Balls& balls = SolverAccess(world).balls();
     const std::size_t count = balls_.size();
-    const Real began(world.time());
     const bool are_all = is_rebuilt_ || !std::is_same_v<Real, double>;
     if (are_all) clear_stored(world);
     std::array<std::uint32_t, 4096> begun;
@@ -97,7 +96,7 @@ void WorldSync<Real>::write_lines(World& world) {
             balls.position[i] = place_on(line, scene_.end);
             // Without a branch: no processor can predict which.
             begun[begun_count] = static_cast<std::uint32_t>(i);
-            begun_count += static_cast<std::size_t>(are_all || !(line.time < began));
+            begun_count += static_cast<std::size_t>(are_all || !(line.time < began_));
         };
         go_through(first, last, count, write, [&](std::size_t soon) {
             balls_.prefetch_neighbour(soon);
@@ -128,10 +127,26 @@ void WorldSync<Real>::write_begun(World& world, std::span<const std::uint32_t> b
     }
 }
 
+// Whether the ball has been still on cloth since before this tick, so that the world shows its
+// position, velocity and roll already.
+template <typename Real>
+bool WorldSync<Real>::has_lain_still(std::uint32_t ball) const {
+    const LinearPart<Real>& line = balls_[ball].line;
+    return is_unchanged_ && line.motion == Motion::still && line.time < began_;
+}
+
+// Whether the spin has been constant since before this tick, so that the world shows it already.
+template <typename Real>
+bool WorldSync<Real>::has_kept_spin(std::uint32_t ball) const {
+    const SpinTrajectory<Real>& turn = trajectories_.spin(ball);
+    return is_unchanged_ && turn.rate == Real{} && turn.time < began_;
+}
+
 template <typename Real>
 void WorldSync<Real>::write_states(World& world) {
     Balls& balls = SolverAccess(world).balls();
-    for (std::size_t i = 0; i < balls_.size(); ++i) {
+    for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+        if (has_lain_still(i)) continue;
         const Shown state = shown(i, scene_.end);
         balls.position[i] = state.position;
         balls.velocity[i] = state.velocity;
@@ -192,6 +207,7 @@ void WorldSync<Real>::store_trajectories(World& world) {
 template <typename Real>
 void WorldSync<Real>::write(World& world, bool has_stopped) {
     is_rebuilt_ = is_rebuilt_ || has_stopped;
+    is_unchanged_ = is_unchanged_ && !is_rebuilt_;
     bool is_limited = false;
     if (writes_lines()) {
         write_lines(world);
@@ -241,16 +257,18 @@ bool WorldSync<Real>::is_spin_unchanged(std::uint32_t ball) const {
 
 template <typename Real>
 void WorldSync<Real>::write_spins(World& world) {
-    for (std::uint32_t i = 0; i < trajectories_.spins().size(); ++i)
-        SolverAccess(world).balls().spin[i] =
-            balls_[i].line.motion == Motion::held
-                ? 0.0
-                : static_cast<double>(trajectories_.spin_at(i, scene_.end));
-    if constexpr (std::is_same_v<Real, double>) {
-        std::vector<StoredSpin>& stored = stored_in(world).spins;
-        stored.clear();
-        for (const SpinTrajectory<Real>& turn : trajectories_.spins())
-            stored.push_back({turn.time, turn.spin, turn.rate, turn.rolls});
+    const std::size_t count = trajectories_.spins().size();
+    Balls& balls = SolverAccess(world).balls();
+    if constexpr (std::is_same_v<Real, double>) stored_in(world).spins.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (has_kept_spin(i)) continue;
+        balls.spin[i] = balls_[i].line.motion == Motion::held
+                            ? 0.0
+                            : static_cast<double>(trajectories_.spin_at(i, scene_.end));
+        if constexpr (std::is_same_v<Real, double>) {
+            const SpinTrajectory<Real>& turn = trajectories_.spin(i);
+            stored_in(world).spins[i] = {turn.time, turn.spin, turn.rate, turn.rolls};
+        }
     }
     if (world.model().cloth) write_rolls(world);
 }
@@ -264,7 +282,8 @@ bool WorldSync<Real>::is_roll_unchanged(std::uint32_t ball) const {
 template <typename Real>
 void WorldSync<Real>::write_rolls(World& world) const {
     for (std::uint32_t i = 0; i < balls_.size(); ++i)
-        SolverAccess(world).balls().roll[i] = Vec2(trajectories_.roll_at(i, scene_.end));
+        if (!has_lain_still(i))
+            SolverAccess(world).balls().roll[i] = Vec2(trajectories_.roll_at(i, scene_.end));
 }
 
 // The balls in dense clusters, for the hybrid step.

@@ -104,6 +104,8 @@ class WorldSync {
     bool is_rotation_unchanged(std::uint32_t ball) const {
         return is_spin_unchanged(ball) && is_roll_unchanged(ball);
     }
+    bool has_lain_still(std::uint32_t ball) const;
+    bool has_kept_spin(std::uint32_t ball) const;
     bool writes_lines() const {
         return trajectories_.are_all_straight() && !scene_.world->model().speed_limit;
     }
@@ -129,6 +131,7 @@ class WorldSync {
     ToiSearch<Real>& search_;
     std::vector<std::uint32_t>& scatter_counts_;
     LastWritten last_written_;
+    Real began_{};  ///< s: the time at which the tick began
     bool is_rebuilt_ = false;
     bool is_unchanged_ = false;  ///< nobody has moved or pushed a ball since the last tick
     std::vector<std::uint32_t> changed_;

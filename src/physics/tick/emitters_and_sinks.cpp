@@ -31,6 +31,10 @@ bool is_free(const World& world, ClassIndex kind, Vec2 place) {
     return true;
 }
 
+bool is_sink(const Zone& zone) {
+    return zone.effect == Zone::Effect::sink;
+}
+
 }  // namespace
 
 void emit(World& world) {
@@ -82,14 +86,47 @@ void stop_slow_balls(World& world, const std::vector<std::uint8_t>& touched) {
     if (any_stopped) SolverAccess(world).stamp_motion();
 }
 
-void drain_sinks(World& world) {
+void SinkDrain::Gap::leave_out(double low, double high, double middle) {
+    if (low < middle) after = std::max(after, high);
+    if (!(high < middle)) before = std::min(before, low);
+}
+
+void SinkDrain::take_sinks(const World& world) {
+    definition_ = world.stamps().definition;
+    has_sinks_ = false;
+    across_ = along_ = {};
+    Vec2 sum;
+    double count = 0.0;
+    for (const Zone& zone : world.zones()) {
+        if (!is_sink(zone)) continue;
+        has_sinks_ = true;
+        sum += zone.shape.start;
+        ++count;
+    }
+    const Vec2 middle = sum / std::max(count, 1.0);
+    for (const Zone& zone : world.zones()) {
+        if (!is_sink(zone)) continue;
+        const Box box = bounds(zone.shape);
+        across_.leave_out(box.low.x, box.high.x, middle.x);
+        along_.leave_out(box.low.y, box.high.y, middle.y);
+    }
+}
+
+void SinkDrain::drain(World& world) {
+    if (definition_ != world.stamps().definition) take_sinks(world);
+    if (!has_sinks_) return;
     const Balls& balls = world.balls();
+    std::size_t first = 0;
+    while (first < balls.size() &&
+           (across_.contains(balls.position[first].x) || along_.contains(balls.position[first].y)))
+        ++first;
+    if (first == balls.size()) return;
     std::vector<std::uint8_t> gone;
     for (std::size_t z = 0; z < world.zones().size(); ++z) {
         const Zone& zone = world.zones()[z];
-        if (zone.effect != Zone::Effect::sink) continue;
+        if (!is_sink(zone)) continue;
         const Box box = bounds(zone.shape);
-        for (std::size_t i = 0; i < balls.size(); ++i) {
+        for (std::size_t i = first; i < balls.size(); ++i) {
             if (!contains(box, balls.position[i]) || !is_inside(zone.shape, balls.position[i]))
                 continue;
             if (gone.empty()) gone.assign(balls.size(), 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "physics/world/world.h"
@@ -17,8 +18,32 @@ void emit(World& world);
 /// (TickWork::touched). Under gravity only balls with contacts stop.
 void stop_slow_balls(World& world, const std::vector<std::uint8_t>& touched);
 
-/// Counts and removes the balls in sinks. `world.tick` is the tick that ends.
-void drain_sinks(World& world);
+/// Counts and removes the balls in sinks. It keeps what it knows of the zones for worlds with the
+/// same definition: where no sink is, so that most balls need not be compared with each pocket of a
+/// pool table. A new object drains the same balls.
+class SinkDrain {
+  public:
+    /// `world.tick` is the tick that ends.
+    void drain(World& world);
+
+  private:
+    // The space along one axis between the sinks on either side of a middle: in it no sink lies.
+    // Empty if a sink lies across the middle.
+    struct Gap {
+        double after = -std::numeric_limits<double>::infinity();
+        double before = std::numeric_limits<double>::infinity();
+
+        void leave_out(double low, double high, double middle);
+        bool contains(double place) const { return after < place && place < before; }
+    };
+
+    void take_sinks(const World& world);
+
+    Stamp definition_{};  ///< what the rest was made from
+    bool has_sinks_ = false;
+    Gap across_;
+    Gap along_;
+};
 
 /// How many substeps a tick needs: `wanted` or more, at most 10,000. On a torus no ball may travel
 /// more than an eighth of it in a substep, so that it cannot meet two images of another ball.

@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "geometry/closest.h"
 #include "physics/solver.h"
 #include "physics/support/scenes.h"
+#include "physics/tick/emitters_and_sinks.h"
 
 // The start and the end of every tick.
 
@@ -83,4 +86,41 @@ TEST_CASE("sinks: a ball in one is counted and removed, and nothing holds it any
     CHECK(world.removed()[0].id == held);
     REQUIRE(world.held_balls().size() == 1);
     CHECK(world.held_balls()[0].id == free);
+}
+
+// Six pockets in two rows, and balls everywhere: the same are drained as by comparing each with
+// all.
+TEST_CASE("sinks: balls between rows of sinks stay, and those in any of them go") {
+    World world = at_ten_ticks_a_second();
+    std::vector<Capsule> pockets;
+    for (const double x : {-10.0, 0.0, 10.0})
+        for (const double y : {-5.0, 5.0})
+            pockets.push_back({{x, y}, {x, y}, 1.0});
+    for (const Capsule& pocket : pockets)
+        world.edit_definition().zones.push_back({pocket, Zone::Effect::sink, 0});
+    world.edit_ledger().counters.assign(1, 0);
+    world.edit_definition().model.ball_ball = false;
+    std::vector<BallId> staying;
+    for (double x = -11.5; x < 12.0; x += 0.5)
+        for (double y = -6.5; y < 7.0; y += 0.5) {
+            const Vec2 place{x, y};
+            const BallId ball = add_ball(world, {.position = place, .radius = 0.1});
+            if (std::ranges::none_of(
+                    pockets, [&](const Capsule& pocket) { return is_inside(pocket, place); }))
+                staying.push_back(ball);
+        }
+    const std::size_t count = world.balls().size();
+    SinkDrain sinks;
+    sinks.drain(world);
+    CHECK(world.balls().id == staying);
+    CHECK(staying.size() < count);
+    CHECK(world.counters()[0] == count - staying.size());
+
+    // A pocket that comes later, in the middle.
+    world.edit_definition().zones.push_back({{{0.0, 0.0}, {0.0, 0.0}, 1.0}, Zone::Effect::sink, 0});
+    const std::size_t before = world.balls().size();
+    sinks.drain(world);
+    CHECK(world.balls().size() < before);
+    for (const Vec2 place : world.balls().position)
+        CHECK(!is_inside(Capsule{{0.0, 0.0}, {0.0, 0.0}, 1.0}, place));
 }

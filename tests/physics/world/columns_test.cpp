@@ -178,7 +178,7 @@ TEST_CASE("removing a ball, by a player or in a sink, keeps every column of the 
     world.edit_ledger().counters = {0};
     world.edit_definition().zones.push_back(
         {.shape = {{0.0, 1.0}, {0.0, 1.0}, 1.0}, .effect = Zone::Effect::sink});
-    drain_sinks(world);
+    SinkDrain().drain(world);
     check_rows(world.balls(), start.balls(), {1, 2});
 }
 

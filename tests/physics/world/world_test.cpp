@@ -62,7 +62,7 @@ TEST_CASE("spin stays with its ball, and counts in the sums and in the fingerpri
     world.edit_ledger().counters.push_back(0);
     world.edit_definition().zones.push_back(
         {.shape = {{27, 0}, {27, 0}, 1}, .effect = Zone::Effect::sink});
-    drain_sinks(world);
+    SinkDrain().drain(world);
     CHECK(world.balls().spin == std::vector<double>{1.0, 4.0});
 }
 
