@@ -35,6 +35,7 @@ constexpr std::array known = std::to_array<KnownTerminal>({
     {"contour", {0, 3}, {Mosaic::sextants, true}},
     {"konsole", {20, 0}, {Mosaic::halves, true}},
     {"iterm2", {3, 0}, {Mosaic::halves, true}},
+    {"xterm", {0, 0}, {Mosaic::halves, false, true}},
 });
 
 char lower(char c) {

@@ -11,6 +11,8 @@ struct TerminalTraits {
     /// The finest mosaic that the terminal draws itself, whatever its font.
     Mosaic mosaic = Mosaic::halves;
     bool has_direct_colors = false;  ///< certainly shows 24-bit colours
+    /// Blocks come from its font, and may cover pixels of the cells around them.
+    bool has_overhang = false;
 };
 
 /// `version`: the text of the answer, such as "kitty(0.40.1)", "ghostty 1.2.0" or "VTE(7803)".

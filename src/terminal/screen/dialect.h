@@ -25,6 +25,8 @@ struct TerminalDialect {
     bool has_repeat = true;       ///< REP, ESC [ n b; used for ASCII only
     bool has_row = true;          ///< VPA, ESC [ row d
     bool has_column = true;       ///< CHA, ESC [ column G
+    /// A block may reach into the cells around it, which are drawn again when it goes.
+    bool has_overhang = false;
     /// The cursor stays on a row whose last column has been written. Otherwise it moves on, and in
     /// the last row the screen scrolls, so that corner is left blank.
     bool waits_at_margin = true;

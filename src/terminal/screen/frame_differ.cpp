@@ -16,6 +16,9 @@ constexpr std::size_t foreign_cost = 12;
 // At most this many unchanged cells between two changes are written again instead of a jump.
 constexpr int longest_gap = 8;
 
+// Of a cell of which it is not known what the terminal shows.
+constexpr char32_t not_known = 0;
+
 constexpr bool is_ascii(char32_t glyph) {
     return glyph >= U' ' && glyph < 0x7f;
 }
@@ -51,6 +54,7 @@ std::string_view FrameDiffer::paint(const Canvas& canvas) {
     out_.clear();
     const bool has_shape = canvas.columns() == canvas_.columns() && canvas.rows() == canvas_.rows();
     if (std::exchange(is_whole_due_, false) || !has_shape) begin_whole(canvas);
+    if (dialect_.has_overhang) forget_overhang(canvas);
     for (int row = 0; row < std::min(rows_, canvas.rows()); ++row)
         paint_row(canvas, row);
     if (!dialect_.hides_cursor && !out_.empty()) reach(rows_ - 1, columns_ - 1);
@@ -107,7 +111,8 @@ void FrameDiffer::paint_row(const Canvas& canvas, int row) {
     for (int column = 0; column < width; ++column) {
         const auto i = static_cast<std::size_t>(column);
         const Cell& cell = canvas.at(column, row);
-        wanted_[i] = cell == canvas_.at(column, row) ? shown[i] : look_of(cell);
+        const bool is_same = cell == canvas_.at(column, row) && shown[i].glyph != not_known;
+        wanted_[i] = is_same ? shown[i] : look_of(cell);
     }
     if (!dialect_.waits_at_margin && row == rows_ - 1) wanted_.back() = shown.back();
 
@@ -121,6 +126,29 @@ void FrameDiffer::paint_row(const Canvas& canvas, int row) {
         }
     }
     std::ranges::copy(wanted_, shown.begin());
+}
+
+// Where a block goes, its neighbours may keep pixels of it, so they are drawn again.
+void FrameDiffer::forget_overhang(const Canvas& canvas) {
+    const int width = std::min(columns_, canvas.columns());
+    const int height = std::min(rows_, canvas.rows());
+    const auto forget = [&](int row, int column) {
+        if (row < 0 || row >= height || column < 0 || column >= width) return;
+        if (canvas.at(column, row) == canvas_.at(column, row))
+            shown_[index_of(row, column)].glyph = not_known;
+    };
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const Cell& before = canvas_.at(column, row);
+            if (before.glyph == U' ' || !complement_of(before.glyph) ||
+                before == canvas.at(column, row))
+                continue;
+            forget(row, column - 1);
+            forget(row, column + 1);
+            forget(row - 1, column);
+            forget(row + 1, column);
+        }
+    }
 }
 
 std::size_t FrameDiffer::index_of(int row, int column) const {

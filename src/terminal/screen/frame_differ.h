@@ -62,6 +62,7 @@ class FrameDiffer {
     Look look_of(const Cell& cell) const;
     void begin_whole(const Canvas& canvas);
     void paint_row(const Canvas& canvas, int row);
+    void forget_overhang(const Canvas& canvas);
     void reach(int row, int column);
     int paint_blanks(int row, int column);
     int paint_cells(int row, int column);

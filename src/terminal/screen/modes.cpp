@@ -91,6 +91,7 @@ std::string TerminalModes::learn(const Answer& answer) {
         case version: {
             const TerminalTraits traits = traits_of(answer.text);
             mosaic_ = traits.mosaic;
+            has_overhang_ = traits.has_overhang;
             if (traits.has_direct_colors) colors_promised_ = direct_colors;
             return {};
         }

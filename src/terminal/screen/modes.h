@@ -41,6 +41,8 @@ class TerminalModes {
     std::string learn(const Answer& answer);
     /// The most colours that an answer promised: 0, 256 or direct_colors.
     int colors_promised() const { return colors_promised_; }
+    /// As TerminalTraits.
+    bool has_overhang() const { return has_overhang_; }
     /// Copies the known abilities into `capabilities`.
     void tell(Capabilities& capabilities) const;
 
@@ -57,6 +59,7 @@ class TerminalModes {
     std::optional<Rgb> background_;
     Mosaic mosaic_ = Mosaic::halves;
     int colors_promised_ = 0;
+    bool has_overhang_ = false;
 };
 
 inline constexpr std::string_view status_question = "\033[5n";

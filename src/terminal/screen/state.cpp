@@ -87,8 +87,10 @@ void Screen::State::measure() {
 // those that the player chose. The frame after a change sends every cell.
 void Screen::State::choose_colors() {
     const int promised = modes.colors_promised();
-    const TerminalDialect dialect = described_dialect(
+    TerminalDialect dialect = described_dialect(
         chosen_colors.value_or(std::max(described_most, promised)), capabilities.utf8, promised);
+    // Over a network the bytes are better spent on frames.
+    dialect.has_overhang = modes.has_overhang() && !capabilities.ssh;
     capabilities.colors = std::min(256, dialect.colors);
     capabilities.direct_color = dialect.colors == direct_colors;
     differ = FrameDiffer(dialect);

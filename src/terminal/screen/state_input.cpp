@@ -35,8 +35,10 @@ void Screen::State::take(const Answer& answer) {
     if (answer.kind != Answer::Kind::status) queries.has_answered = true;
     if (!is_open) return;
     const int promised_before = modes.colors_promised();
+    const bool had_overhang = modes.has_overhang();
     const std::string reply = modes.learn(answer);
-    if (modes.colors_promised() != promised_before) choose_colors();
+    if (modes.colors_promised() != promised_before || modes.has_overhang() != had_overhang)
+        choose_colors();
     modes.tell(capabilities);
     decoder.set_mouse_unit(modes.mouse_unit());
     arm();

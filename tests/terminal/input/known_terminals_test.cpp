@@ -21,4 +21,6 @@ TEST_CASE("a terminal draws the mosaics of its version") {
         CHECK(mosaic(unknown) == Mosaic::halves);
     CHECK(traits_of("Konsole 22.12.3").has_direct_colors);
     CHECK_FALSE(traits_of("tmux 3.4").has_direct_colors);
+    CHECK(traits_of("XTerm(379)").has_overhang);
+    CHECK_FALSE(traits_of("kitty(0.40.1)").has_overhang);
 }

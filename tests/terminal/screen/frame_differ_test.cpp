@@ -188,6 +188,27 @@ TEST_CASE("of two equivalent looks, the one that suits the colours in force is s
     CHECK(window.frame() == "\033[43m ");
 }
 
+TEST_CASE("where blocks overhang, the neighbours of one that goes are drawn again") {
+    const auto frame = [](bool has_overhang) {
+        TerminalDialect dialect;
+        dialect.has_overhang = has_overhang;
+        Window window(9, 3, dialect);
+        window.canvas.put(4, 0, {U'b', 1});
+        window.canvas.put(4, 1, {U'\u2584', 1});
+        window.canvas.put(5, 1, {U'c', 1});
+        window.frame();
+        window.canvas.put(4, 1, {U' '});
+        return window.frame();
+    };
+    const auto has = [](const std::string& text, char what) {
+        return text.find(what) != std::string::npos;
+    };
+    CHECK(has(frame(true), 'b'));
+    CHECK(has(frame(true), 'c'));
+    CHECK_FALSE(has(frame(false), 'b'));
+    CHECK_FALSE(has(frame(false), 'c'));
+}
+
 TEST_CASE("a short gap is rewritten, a long one is jumped over") {
     Window window(40, 2);
     window.canvas.write(0, 0, "abcdefghijkl");
