@@ -11,6 +11,7 @@
 #include "carom/files/level_source.h"
 #include "carom/files/print.h"
 #include "carom/play/player.h"
+#include "terminal/canvas/own_ground.h"
 #include "terminal/screen/picture_text.h"
 
 namespace carom {
@@ -117,6 +118,7 @@ int picture(const PictureOptions& options) {
         }
     }
     film(player, canvas, end);
+    if (options.theme.is_light) paint_own_ground(canvas, view.look);
     if (const auto error =
             write_file_atomically(options.output, text_of(canvas, options, view.look))) {
         print_error(*error);

@@ -9,6 +9,7 @@
 #include "carom/files/files.h"
 #include "carom/files/high_scores.h"
 #include "carom/play/program.h"
+#include "terminal/canvas/own_ground.h"
 #include "terminal/panels/pages.h"
 
 namespace carom {
@@ -279,6 +280,7 @@ void Program::draw(Canvas& canvas) {
         notice->draw(canvas, view().look, notice->source && options_.watch);
     else if (auto* resuming = std::get_if<Resuming>(&page_))
         resuming->draw(canvas, view().look);
+    if (brings_own_ground()) paint_own_ground(canvas, view().look);
 }
 
 void Program::Notice::draw(Canvas& canvas, const Look& look, bool is_tried_again) {

@@ -62,7 +62,7 @@ void write_on_ball(Canvas& canvas, const CellArea& area, CellPlace at, std::stri
         Cell& cell = canvas.at(column, at.row);
         if (look.has_colors()) {
             cell.background = below.foreground;
-            cell.foreground = look.light_background ? 15 : 0;
+            cell.foreground = text_color_on(cell.background, look);
         } else {
             cell.attributes = reverse;
         }

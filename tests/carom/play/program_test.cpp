@@ -231,6 +231,22 @@ TEST_CASE("a flipper key is changed at a pinball table, and the hints name the n
     CHECK(again.sees("Flippers: a and /"));
 }
 
+TEST_CASE("a light theme brings its own background into a dark terminal") {
+    const Home home;
+    PlayOptions options = playing("test.level");
+    const auto background = [&](const char* theme) {
+        options.theme = theme_choice(theme);
+        Running running(options);
+        running.program.start();
+        running.look();
+        return running.window.at(0, 10).background;
+    };
+    CHECK(background("auto") == default_color);
+    CHECK(background("dark") == default_color);
+    REQUIRE(background("light") != default_color);
+    CHECK(luminance(rgb_of(background("light"))) > 0.8);
+}
+
 TEST_CASE("the theme changes by a key, in play and in the menu, and is kept") {
     const Home home;
     Running running(playing("test.level"));
