@@ -195,7 +195,7 @@ MenuPage Menu::page() const {
                                 ? "enter play  <- -> groups  q quit"
                                 : "enter play   <- -> groups   type to search   f2 theme   q quit"};
     if (!search_.empty()) page.footer = fmt::format("search: {}   esc clears", search_);
-    if (!message_.empty()) page.footer = message_;
+    page.message = message_;
     for (const MenuItem* item : shown()) {
         MenuEntry entry{item->title, item->line, item->badge};
         const auto known = loaded_.find(key_of(*item));

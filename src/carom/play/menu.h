@@ -80,6 +80,7 @@ class Menu {
     void look_at_selected();
     void look_at_recording(const MenuItem& item);
     Choice handle_key(const InputEvent& event);
+    Choice handle_escape(bool was_asked);
     Choice handle_mouse(const InputEvent& event);
     MenuPage page() const;
 
@@ -88,8 +89,9 @@ class Menu {
     Load load_;
     std::string search_;
     std::string message_;
-    std::size_t group_ = 0;     ///< the open one
-    std::size_t selected_ = 0;  ///< index into shown()
+    bool asks_to_quit_ = false;  ///< the next escape quits
+    std::size_t group_ = 0;      ///< the open one
+    std::size_t selected_ = 0;   ///< index into shown()
     std::map<std::string, LoadedEntry> loaded_;
 
     double seconds_on_selected_ = 0.0;

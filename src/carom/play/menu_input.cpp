@@ -1,4 +1,6 @@
 // What keys and the mouse do in the menu.
+#include <utility>
+
 #include "carom/play/menu.h"
 #include "level/text/utf8.h"
 #include "terminal/canvas/character_width.h"
@@ -12,7 +14,11 @@ constexpr std::size_t most_searched = 60;
 }  // namespace
 
 Menu::Choice Menu::handle(const InputEvent& event) {
-    if (event.action == InputEvent::Action::press) tell({});
+    const bool is_press = event.action == InputEvent::Action::press;
+    if (is_press) tell({});
+    const bool was_asked = is_press && std::exchange(asks_to_quit_, false);
+    if (is_press && event.kind == InputEvent::Kind::key && event.key == key::escape)
+        return handle_escape(was_asked);
     if (event.kind == InputEvent::Kind::mouse) return handle_mouse(event);
     if (event.kind == InputEvent::Kind::key && event.action != InputEvent::Action::release)
         return handle_key(event);
@@ -51,10 +57,6 @@ Menu::Choice Menu::handle_key(const InputEvent& event) {
         case key::enter:
             if (const MenuItem* item = selected()) return *item;
             return {};
-        case key::escape:
-            if (search_.empty()) return Quit{};
-            search({});
-            return {};
         case key::backspace:
             while (!search_.empty() && continues_sequence(search_.back()))
                 search_.pop_back();
@@ -73,6 +75,18 @@ Menu::Choice Menu::handle_key(const InputEvent& event) {
         std::string text = search_;
         append_utf8(text, event.key);
         search(std::move(text));
+    }
+    return {};
+}
+
+// Escape goes back everywhere else, so a press too many must not end the program.
+Menu::Choice Menu::handle_escape(bool was_asked) {
+    if (was_asked) return Quit{};
+    asks_to_quit_ = search_.empty();
+    if (asks_to_quit_) {
+        tell("Press esc again to quit.");
+    } else {
+        search({});
     }
     return {};
 }

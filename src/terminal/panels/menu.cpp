@@ -179,7 +179,9 @@ void draw_menu(Canvas& canvas, const MenuPage& page, const Look& look) {
     canvas.fill({});
     draw_name(canvas, look);
     draw_tabs(canvas, page, look);
-    write(canvas, 1, canvas.rows() - 1, page.footer, ink_of(Role::faint, look));
+    const bool has_message = !page.message.empty();
+    write(canvas, 1, canvas.rows() - 1, has_message ? page.message : page.footer,
+          ink_of(has_message ? Role::warning : Role::faint, look));
     const Areas areas = areas_of(canvas.columns(), canvas.rows());
     draw_list(canvas, page, areas.list, look);
     draw_words(canvas, page, areas.words, look);

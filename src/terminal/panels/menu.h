@@ -33,6 +33,7 @@ struct MenuPage {
     std::string goal;
     std::vector<std::string> notes;  ///< best scores, problems
     std::string footer;
+    std::string message;  ///< stands in place of the footer, marked; empty: none
 };
 
 void draw_menu(Canvas& canvas, const MenuPage& page, const Look& look);

@@ -111,9 +111,22 @@ TEST_CASE("left and right open the groups, and one's own is there even while it 
     CHECK(visitor.menu.shown().size() == 3);
 }
 
-TEST_CASE("q and escape leave") {
+TEST_CASE("q quits; escape asks first, and any other key takes the question back") {
     Visitor visitor;
     CHECK(std::holds_alternative<Menu::Quit>(visitor.key(U'q')));
+    CHECK(std::holds_alternative<std::monostate>(visitor.key(key::escape)));
+    CHECK(visitor.look().find("Press esc again to quit.") != std::string::npos);
+    visitor.key(key::down);
+    CHECK(visitor.look().find("Press esc again to quit.") == std::string::npos);
+    CHECK(std::holds_alternative<std::monostate>(visitor.key(key::escape)));
+    CHECK(std::holds_alternative<Menu::Quit>(visitor.key(key::escape)));
+}
+
+TEST_CASE("escape that ends a search does not count towards quitting") {
+    Visitor visitor;
+    visitor.key(U'I');
+    visitor.key(key::escape);
+    CHECK(std::holds_alternative<std::monostate>(visitor.key(key::escape)));
     CHECK(std::holds_alternative<Menu::Quit>(visitor.key(key::escape)));
 }
 
