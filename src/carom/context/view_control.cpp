@@ -101,13 +101,18 @@ void zoom(PlayContext& play, double factor) {
     play.view.zoom(play.view.middle(), factor);
 }
 
+void tell_way_back(PlayContext& play) {
+    say(play, fmt::format("{} brings the whole view back.", play.keys.hint("fit")));
+}
+
 void pan(PlayContext& play, double columns, double rows) {
     play.view.pan(columns, rows);
+    tell_way_back(play);
 }
 
 void start_panning(PlayContext& play, const InputEvent& event) {
     play.pointer.panning_from = play.companion.in_first_half({event.column, event.row});
-    say(play, fmt::format("Panning. {} brings the whole view back.", play.keys.hint("fit")));
+    tell_way_back(play);
 }
 
 }  // namespace carom

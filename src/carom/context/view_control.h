@@ -24,6 +24,8 @@ void toggle(PlayContext& play, bool& what, std::string_view name);
 /// Zooms around the centre of the view.
 void zoom(PlayContext& play, double factor);
 void pan(PlayContext& play, double columns, double rows);
+/// Says which key shows the whole view again.
+void tell_way_back(PlayContext& play);
 /// A press on empty space: the view follows the pointer until the release.
 void start_panning(PlayContext& play, const InputEvent& event);
 

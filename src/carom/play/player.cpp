@@ -5,6 +5,7 @@
 
 #include "carom/context/page_keys.h"
 #include "carom/context/time_control.h"
+#include "carom/context/view_control.h"
 #include "carom/controllers/make_controller.h"
 #include "carom/controllers/pinball_controller.h"
 #include "carom/controllers/pool_controller.h"
@@ -111,7 +112,7 @@ void Player::handle_mouse(const InputEvent& event) {
     } else if (event.action == release) {
         play_.needs_draw = true;
         play_.messages.end_message();
-        pointer.panning_from.reset();
+        if (std::exchange(pointer.panning_from, {})) tell_way_back(play_);
         play_.controller->release(play_, event);
     }
 }
