@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "physics/solver.h"
@@ -40,15 +41,23 @@ bool is_sound(const Candidate& candidate) {
     return candidate.settings.kind >= SolverKind::swept;
 }
 
-std::string priced(const Candidate& candidate) {
-    return fmt::format("{} {:.2g} us", settings_text(candidate.settings, SettingsText::unusual),
-                       candidate.work * 1e-3);
+// Two digits, without an exponent: "2.1 us", "43 us", "680 us", "1.7 ms".
+std::string time_text(double nanoseconds) {
+    const bool is_long = nanoseconds >= 0.995e6;
+    const double value = nanoseconds * (is_long ? 1e-6 : 1e-3);
+    const double step = value < 0.995 ? 0.01 : value < 9.95 ? 0.1 : value < 99.5 ? 1.0 : 10.0;
+    return fmt::format("{:g} {}", std::round(value / step) * step, is_long ? "ms" : "us");
 }
 
-// "; a tick is about event 2.1 us; swept 3.4 us, contact 4.0 us"
+std::string priced(const Candidate& candidate) {
+    return fmt::format("{} {}", settings_text(candidate.settings, SettingsText::unusual),
+                       time_text(candidate.work));
+}
+
+// ". A tick takes about 2.1 us; with swept 3.4 us, contact 4 us"
 std::string weighed(const std::vector<Candidate>& all, const Candidate& picked) {
-    std::string text = "; a tick is about " + priced(picked);
-    const char* joint = "; weighed ";
+    std::string text = ". A tick takes about " + time_text(picked.work);
+    const char* joint = "; with ";
     for (const Candidate& candidate : all) {
         if (&candidate == &picked || !is_sound(candidate)) continue;
         if (candidate.settings != SolverSettings{.kind = candidate.settings.kind}) continue;

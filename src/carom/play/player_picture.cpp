@@ -63,22 +63,31 @@ Annotations annotations_of(const PlayContext& play) {
     return annotations;
 }
 
-/// An explanation of how the game is computed, for a page of text.
-std::vector<std::string> explanation_lines(const PlayContext& play) {
+/// An explanation of how the game is computed. Each item begins with a word, which indented lines
+/// continue.
+std::vector<PageItem> explanation_items(const PlayContext& play) {
     const Session& session = play.session;
     const std::string text = explanation(
         session.world().model(), session.world().rate(), pick_solver(session.scene().world),
         play.solver_is_picked ? std::nullopt : std::optional(session.solver()));
-    std::vector<std::string> lines;
+    std::vector<PageItem> items;
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
-        lines.push_back(text.substr(from, end - from));
+        const std::string_view line = std::string_view(text).substr(from, end - from);
+        const std::size_t left = line.find(' ');
+        const std::size_t right = std::min(line.find_first_not_of(' ', left), line.size());
+        if (left > 0 || items.empty()) {
+            items.push_back({std::string(line.substr(0, left)), std::string(line.substr(right))});
+        } else {
+            items.back().text += ", " + std::string(line.substr(right));
+        }
         from = end + 1;
     }
-    return lines;
+    return items;
 }
 
 constexpr std::string_view back_footer = "any other key: back to the game";
+constexpr std::string_view closing_footer = "any key: back to the game";
 
 /// Names the keys that lead elsewhere from a page, each with what it does.
 std::string footer_with(
@@ -149,15 +158,15 @@ void Player::draw_page(Canvas& canvas) {
         case CoveringPage::Kind::record:
             extent = draw_text_page(canvas, "Your record at pool",
                                     record_lines(pool_players()->record(), look), page.scroll,
-                                    back_footer, look);
+                                    closing_footer, look);
             break;
         case CoveringPage::Kind::explanation:
-            extent = draw_text_page(canvas, "Solver and model", explanation_lines(play_),
-                                    page.scroll, back_footer, look);
+            extent = draw_about(canvas, "Solver and model", {}, explanation_items(play_),
+                                page.scroll, closing_footer, look);
             break;
         case CoveringPage::Kind::problems:
             extent = draw_text_page(canvas, "Errors", play_.messages.problem(), page.scroll,
-                                    back_footer, look);
+                                    closing_footer, look);
             break;
     }
     page.scroll = extent.scroll;

@@ -114,16 +114,18 @@ std::string explanation(const Model& model, double rate, const SolverPick& pick,
                                        : fmt::format("{}", fmt::join(terms, "\n        "));
     const std::string picked = settings_text(pick.settings, SettingsText::used);
     const std::string solver_text =
-        asked_for ? fmt::format("{} (chosen by you)\nauto    would choose {}",
-                                settings_text(*asked_for, SettingsText::used), picked)
+        asked_for ? fmt::format("{} (chosen by you)", settings_text(*asked_for, SettingsText::used))
                   : fmt::format("{} (chosen automatically)", picked);
+    // The reason is that of the automatic choice, and stands below it.
+    const std::string other =
+        asked_for ? fmt::format("auto    would choose {}\n", picked) : std::string();
     const SolverSettings& solver = asked_for ? *asked_for : pick.settings;
     const std::string_view heaps =
         uses_hybrid_step(model, solver)
             ? "heaps   too dense for events, they go over to contact, and come back\n"
             : "";
-    return fmt::format("model   {}\nsolver  {}\n{}reason  {}\nrate    {} ticks a second\n",
-                       model_text, solver_text, heaps, pick.reason, rate);
+    return fmt::format("model   {}\nsolver  {}\n{}{}reason  {}\nrate    {} ticks a second\n",
+                       model_text, solver_text, heaps, other, pick.reason, rate);
 }
 
 }  // namespace carom

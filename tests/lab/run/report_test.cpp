@@ -167,7 +167,7 @@ TEST_CASE("the explanation names the terms and the solver") {
     const std::string heaps =
         "heaps   too dense for events, they go over to contact, and come back\n";
     const std::string falls = "use gravity 0,-2\nkind soft r=1 e=0.5\nball a at=0,0 kind=soft\n";
-    CHECK(has(explanation(load("solver event\n" + falls)), heaps + "reason  "));
+    CHECK(has(explanation(load("solver event\n" + falls)), heaps + "auto    "));
     CHECK_FALSE(has(explanation(load("solver contact\n" + falls)), heaps));
     CHECK_FALSE(has(explanation(load("solver event\nuse gravity 0,-2\nball a at=0,0\n")), heaps));
 }
