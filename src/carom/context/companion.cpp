@@ -82,9 +82,9 @@ std::string Companion::text() const {
     }
     if (!ensemble_) return {};
     // The number has a fixed width, so that the text after it does not move.
-    const std::string now = fmt::format("{:<7.2g}", ensemble_->spread());
+    const std::string now = fmt::format("{:.1e}", ensemble_->spread());
     if (!ensemble_->time_of_a_radius())
-        return fmt::format("{} copies, radii apart: {}", Ensemble::copy_count, now);
+        return fmt::format("{} copies, spread {} radii", Ensemble::copy_count, now);
     return fmt::format("{} copies, a radius apart at t={:.3f}, now {}", Ensemble::copy_count,
                        *ensemble_->time_of_a_radius(), now);
 }

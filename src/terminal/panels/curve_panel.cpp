@@ -45,6 +45,13 @@ Span span_of_values(const Points& points) {
     return span;
 }
 
+// A value at an axis, to a hundredth of what the axis spans: more digits than a reader sees.
+std::string axis_number(double value, const Span& span) {
+    const double step = std::pow(10.0, std::floor(std::log10(span.high - span.low)) - 2.0);
+    const double rounded = std::round(value / step) * step;
+    return fmt::format("{:.4g}", std::abs(rounded) < 0.5 * step ? 0.0 : rounded);
+}
+
 void draw_points(Canvas& canvas, const CellArea& area, const Points& points, const Span& x,
                  const Span& y, bool has_bars, const Look& look) {
     constexpr double aspect = 2.0;
@@ -113,9 +120,10 @@ void draw_curve(Canvas& canvas, const CellArea& area, const CurvePicture& pictur
 
     const Span x{points.front().x, points.back().x};
     const Span y = span_of_values(points);
-    const auto number = [](double value) { return fmt::format("{:.4g}", value); };
-    const CellArea inside = draw_axes(
-        canvas, area, {number(y.low), number(y.high), number(x.low), number(x.high)}, look);
+    const CellArea inside = draw_axes(canvas, area,
+                                      {axis_number(y.low, y), axis_number(y.high, y),
+                                       axis_number(x.low, x), axis_number(x.high, x)},
+                                      look);
     if (picture.has_bars) draw_bars(canvas, inside, points, x, y, look);
     draw_points(canvas, inside, points, x, y, picture.has_bars, look);
 }

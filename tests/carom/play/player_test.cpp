@@ -284,6 +284,8 @@ TEST_CASE("found 3: a near miss moves nothing, and panning says how to come back
     CHECK(person.ball(0) == there);
     person.mouse(InputEvent::Action::press, {4.0, 26.0}, 2);
     CHECK(person.sees("0 brings the whole view back"));
+    person.mouse(InputEvent::Action::release, {8.0, 26.0}, 2);
+    CHECK(person.sees("0 brings the whole view back"));
 }
 
 TEST_CASE("found 13: the collision that n reached is told and marked, undo tells where it leads") {
@@ -624,9 +626,9 @@ TEST_CASE("in a split window, the mouse grabs the same ball in either half") {
 TEST_CASE("the butterfly shows how far its copies are apart") {
     Person person;
     person.key(U'b');
-    CHECK(person.sees("200 copies, radii apart: 8"));
+    CHECK(person.sees("200 copies, spread 8"));
     person.pass(0.5);
-    CHECK(person.sees("200 copies, radii apart:"));
+    CHECK(person.sees("200 copies, spread"));
     person.key(U'S');
     CHECK(person.sees("identical since"));
     person.key(U'b');
