@@ -12,7 +12,9 @@ namespace carom {
 
 namespace {
 
-constexpr double flash_time = 0.12;  // s
+constexpr double flash_time = 0.12;   // s
+constexpr double white_share = 0.25;  // of the time; then it glows
+constexpr double most_flash_columns = 4.0;
 constexpr std::size_t most_flashes = 24;
 // The share of the fastest ball's speed from which an impact flashes.
 constexpr double least_approach = 0.25;
@@ -37,7 +39,12 @@ void note_impacts(ViewMemory& memory, const World& world, std::span<const Contac
             continue;
         const auto ball = index_of(world, BallId{contact.a});
         if (!ball) continue;
-        memory.flashes.push_back({contact.point, world.balls().radius[*ball], world.tick()});
+        double radius = world.balls().radius[*ball];
+        // Of two balls the smaller: a large one flashes no more than what it hits.
+        if (contact.kind == ContactKind::ball_ball)
+            if (const auto other = index_of(world, BallId{contact.b}))
+                radius = std::min(radius, world.balls().radius[*other]);
+        memory.flashes.push_back({contact.point, radius, world.tick()});
     }
 }
 
@@ -45,11 +52,16 @@ void paint_flashes(Raster& raster, const View& view) {
     const Look& look = view.options.look;
     if (!raster.renderer().has_pixels() || !look.has_shades()) return;
     const Ink white = ink_of(Role::stripe_white, look);
+    const Ink ember = ink_of(Role::warning, look);
     for (const ImpactFlash& flash : view.memory.flashes) {
         const double age = age_of(flash, view.world) / flash_time;
-        const double radius = flash.radius * view.camera.columns_per_length * (0.35 + 0.5 * age);
-        const auto tone = static_cast<std::uint8_t>(230.0 * (1.0 - age));
-        raster.disc(to_raster(view.camera, flash.place), radius, 0.0, {white, tone, '\0'});
+        const double largest =
+            std::min(flash.radius * view.camera.columns_per_length, most_flash_columns);
+        // White fading on black is grey, and looks like a stone: what fades glows.
+        const Ink ink = age < white_share ? white : ember;
+        const auto tone = static_cast<std::uint8_t>(230.0 * (1.0 - age) * (1.0 - age));
+        raster.disc(to_raster(view.camera, flash.place), largest * (0.35 + 0.5 * age), 0.0,
+                    {ink, tone, '\0'});
     }
 }
 
