@@ -60,9 +60,13 @@ TEST_CASE("drills: what is asked can be done, five times give three stars, a mis
     struct Drill {
         std::string level;
         const char* at;
+        const char* why;  // a soft shot into nothing is a miss
     };
-    for (const Drill& drill : {Drill{"drill-stop", "object"}, Drill{"drill-draw", "object"},
-                               Drill{"drill-half-ball", "object"}, Drill{"drill-rail", "object"}}) {
+    const char* const up = "Missed: the ball stays up.";
+    for (const Drill& drill :
+         {Drill{"drill-stop", "object", up}, Drill{"drill-draw", "object", up},
+          Drill{"drill-half-ball", "object", "Missed: the first ball was not met."},
+          Drill{"drill-rail", "object", up}}) {
         CAPTURE(drill.level);
         const Scene scene = shipped_level(drill.level);
         CHECK(scene.rules.may_miss);
@@ -81,7 +85,7 @@ TEST_CASE("drills: what is asked can be done, five times give three stars, a mis
         game.session.step_forward();
         game.shoot_softly();
         CHECK(made(scene, game.state()) == 0);
-        CHECK(game.state().message == "Missed.");
+        CHECK(game.state().message == drill.why);
         CHECK(task_text(scene, game.session.world(), game.session.game()) ==
               "TRY 2 OF 5   DONE 0   MISSED 1");
         for (int attempt = 0; attempt < 4; ++attempt) {
@@ -90,6 +94,29 @@ TEST_CASE("drills: what is asked can be done, five times give three stars, a mis
         }
         CHECK(stars_of(game.session.game()) == 2);
     }
+}
+
+// Straight at the first ball, with these speeds and tips.
+TEST_CASE("drills: a miss says why") {
+    const auto says = [](const char* level, std::string_view message) {
+        ShotsGame game(shipped_level(level));
+        const BallId cue = *cue_ball_of(game.session.scene(), game.state());
+        for (const Vec2 way : ways(game, "object"))
+            for (const double speed : {1.5, 2.5, 3.5})
+                for (const double follow : {-0.45, -0.2, 0.0, 0.1, 0.3})
+                    if (game.after({cue, way * speed, 0.0, follow}).message == message) return true;
+        return false;
+    };
+    for (const char* const level : {"drill-stop", "drill-draw"}) {
+        CAPTURE(level);
+        CHECK(says(level, "Missed: the cue ball fell."));
+        CHECK(says(level, "Missed: the ball stays up."));
+        CHECK(says(level, "Done."));
+    }
+    CHECK(says("drill-stop", "Missed: down, but the cue ball left the circle."));
+    CHECK(says("drill-draw", "Missed: down, but the cue ball did not come back."));
+    CHECK(says("drill-half-ball", "Missed: off the first ball, past the third."));
+    CHECK(says("drill-rail", "Missed: the ball stays up."));
 }
 
 TEST_CASE("drills: of five cuts each pot counts, from where the cue ball stops") {
