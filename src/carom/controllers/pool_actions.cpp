@@ -135,7 +135,7 @@ void rack_again(const PoolController& table, PlayContext& play) {
     if (pool && table.players().is_match(play.session) && pool->shooter &&
         pool->rules.phase != PoolPhase::over)
         return say(play, "In a match a frame is played to its end.");
-    obey(play, command::RackAgain{}, pool ? "the balls are racked" : "a new game");
+    obey(play, command::RackAgain{}, pool ? "The balls are racked." : "A new game.");
 }
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -32,6 +33,16 @@ Vec2 place_of(const World& world, BallId ball) {
 
 double bearing_of(Vec2 way) {
     return std::atan2(way.y, way.x) * 180.0 / pi;
+}
+
+// What a cue ball that is aimed full at a ball meets first. Better is smaller.
+enum class Sight : std::uint8_t { itself, another_target, hidden };
+
+Sight sight(const World& world, BallId cue, BallId at, std::span<const BallId> targets) {
+    const auto line = aim_line(world, cue, place_of(world, at) - place_of(world, cue));
+    if (!line || !line->object) return Sight::hidden;
+    if (*line->object == at) return Sight::itself;
+    return std::ranges::count(targets, *line->object) > 0 ? Sight::another_target : Sight::hidden;
 }
 
 }  // namespace
@@ -114,17 +125,22 @@ bool PoolAim::aim_as_before(const Session& session) {
     return true;
 }
 
-// Aims at the nearest ball that may legally be hit first.
+// Aims full at the nearest ball that may legally be hit first. A ball that lies hidden, so that a
+// wrong one would be met, comes last: at the break-off of snooker, the red behind the pink.
 void PoolAim::aim_at_nearest(const Session& session) {
     const auto cue = cue_ball(session);
     if (!cue) return;
     const Vec2 from = place_of(session.world(), *cue);
-    std::optional<Vec2> nearest;
-    for (const BallId ball : targets(session)) {
+    const std::vector<BallId> balls = targets(session);
+    std::optional<std::pair<bool, double>> best;
+    for (const BallId ball : balls) {
         const Vec2 there = place_of(session.world(), ball) - from;
-        if (!nearest || length(there) < length(*nearest)) nearest = there;
+        const std::pair<bool, double> rank(
+            sight(session.world(), *cue, ball, balls) == Sight::hidden, length(there));
+        if (best && !(rank < *best)) continue;
+        best = rank;
+        setup_.bearing = bearing_of(there);
     }
-    if (nearest) setup_.bearing = bearing_of(*nearest);
 }
 
 void PoolAim::set_up(const Session& session, const ShotSetup& setup) {
@@ -197,8 +213,11 @@ Aids PoolAim::shown_aids() const {
 
 std::string PoolAim::next_target(const Session& session, bool backwards) {
     const auto cue = cue_ball(session);
-    const std::vector<BallId> balls = targets(session);
-    if (!cue || balls.empty()) return "There is no ball to aim at.";
+    const std::vector<BallId> any = targets(session);
+    if (!cue || any.empty()) return "There is no ball to aim at.";
+    const auto sight_of = [&](BallId ball) { return sight(session.world(), *cue, ball, any); };
+    std::vector<BallId> balls = any;
+    std::ranges::stable_sort(balls, {}, sight_of);
     pot_ = pot_text_.empty() ? (backwards ? balls.size() - 1 : 0)
                              : (pot_ + (backwards ? balls.size() - 1 : 1)) % balls.size();
     const BallId ball = balls[pot_ % balls.size()];
@@ -206,7 +225,9 @@ std::string PoolAim::next_target(const Session& session, bool backwards) {
     has_aimed_ = true;
     const PoolPlay* game = play(session);
     const auto number = game ? number_of(*game, ball) : std::nullopt;
-    return pot_text_ = "Full at " + (number ? game->rules.referee->ball_name(*number) : "the ball");
+    return pot_text_ = fmt::format("Full at {}{}",
+                                   number ? game->rules.referee->ball_name(*number) : "the ball",
+                                   sight_of(ball) == Sight::hidden ? ", which lies hidden" : "");
 }
 
 std::string PoolAim::next_pot(const Session& session, bool backwards) {

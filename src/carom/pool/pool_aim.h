@@ -51,7 +51,8 @@ class PoolAim {
     /// The cue as it is drawn, from its tip to its butt. Pre: may_aim().
     PoolAnnotations::Line stick(const Session& session) const;
     /// Aims at the next ball that can be pocketed, the easiest first; in a match, full at the next
-    /// ball that may be hit first. Returns a description.
+    /// ball that may be hit first, those in sight before those that lie hidden. Returns a
+    /// description.
     std::string next_pot(const Session& session, bool backwards);
 
     /// Aims like a proposed shot; the cue ball stays where it is.

@@ -1,0 +1,62 @@
+#include "carom/pool/pool_aim.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "game/commands/aiming.h"
+#include "game/referees/referee.h"
+#include "game/support/shipped.h"
+
+using namespace carom;
+
+namespace {
+
+Session session_at(Scene scene) {
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    return Session(std::move(scene), solver);
+}
+
+/// The number of the ball that the cue ball meets first as it is aimed now.
+std::optional<int> met_by(const PoolAim& aim, const Session& session) {
+    const command::Strike strike = aim.strike(session);
+    const auto line = aim_line(session.world(), strike.ball, strike.velocity);
+    if (!line || !line->object) return std::nullopt;
+    return number_of(std::get<PoolPlay>(session.game()), *line->object);
+}
+
+}  // namespace
+
+// The pink stands before the triangle, so the nearest red lies hidden behind it.
+TEST_CASE("the first aim at the break-off of snooker is at a red, not at the pink before it") {
+    const Session session = session_at(test::shipped_level("snooker"));
+    const PoolAim aim(session);
+    const auto met = met_by(aim, session);
+    REQUIRE(met);
+    CHECK(may_hit_first(std::get<PoolPlay>(session.game()).rules, *met));
+}
+
+TEST_CASE("in a match the balls in sight come before those that lie hidden, which are named so") {
+    Scene scene = test::shipped_level("snooker");
+    const Session session = session_at(std::move(scene));
+    PoolAim aim(session);
+    aim.set_match(true);
+    const auto& rules = std::get<PoolPlay>(session.game()).rules;
+    bool was_hidden = false;
+    int seen = 0;
+    for (int i = 0; i < 15; ++i) {
+        const std::string text = aim.next_pot(session, false);
+        CAPTURE(text);
+        const bool is_hidden = text.ends_with("which lies hidden");
+        CHECK((is_hidden || !was_hidden));
+        const auto met = met_by(aim, session);
+        REQUIRE(met);
+        if (!is_hidden) CHECK(may_hit_first(rules, *met));
+        was_hidden = is_hidden;
+        seen += is_hidden ? 0 : 1;
+    }
+    CHECK(seen >= 1);
+    CHECK(seen < 15);
+}
