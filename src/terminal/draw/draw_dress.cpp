@@ -110,13 +110,23 @@ bool is_bare_ground(const Canvas& canvas, const View& view, int column, int row,
     return true;
 }
 
+// Whether the text of another label ends or begins at the cell. Renderers without pixels draw
+// shapes with letters too, and there this counts them.
+bool is_text(const Canvas& canvas, int column, int row) {
+    if (!canvas.holds(column, row)) return false;
+    const char32_t glyph = canvas.at(column, row).glyph;
+    return (glyph >= U'0' && glyph <= U'9') || (glyph >= U'A' && glyph <= U'Z') ||
+           (glyph >= U'a' && glyph <= U'z');
+}
+
 }  // namespace
 
 void write_on_ground(Canvas& canvas, const View& view, int column, int row, std::string_view text,
                      const Ink& ink) {
     const CellArea& area = view.camera.area;
     const int width = columns_of(text);
-    if (!is_bare_ground(canvas, view, column, row, width))
+    if (!is_bare_ground(canvas, view, column, row, width) || is_text(canvas, column - 1, row) ||
+        is_text(canvas, column + width, row))
         for (const int aside : {1, -1, 2, -2, 3, -3})
             // A blank on both sides keeps texts apart.
             if (is_bare_ground(canvas, view, column + aside - 1, row, width + 2)) {

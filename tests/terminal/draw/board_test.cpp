@@ -125,6 +125,21 @@ TEST_CASE("draw: a label moves aside from an edge, and is dark or light enough t
     CHECK(letters == 5);
 }
 
+TEST_CASE("draw: a label beside another one moves aside, so that the two are two words") {
+    const Scene scene = scene_of(
+        "world 0,0 40,20\npaint rect 0,0 40,20 color=#203040\nball b at=35,10 r=1\n"
+        "label \"CRANE\" at=10,10 align=left\nlabel \"ANVIL\" at=15,10 align=left\n"
+        "label \"MOULD\" at=5,10 align=left\n");
+    Canvas canvas(40, 10);
+    ViewOptions options;
+    options.renderer = &half_block_renderer();
+    options.look.colors = direct_colors;
+    ViewMemory memory;
+    draw_world(canvas, fit_camera(scene.view, {0, 0, 40, 10}, 2.0), scene, scene.world, {}, {},
+               options, memory);
+    CHECK(canvas.text().find("MOULD█CRANE█ANVIL") != std::string::npos);
+}
+
 TEST_CASE("draw: a ball named red is red, paint lies under it, and a label on free ground") {
     const Scene scene = scene_of(
         "world 0,0 40,20\npaint rect 0,0 40,20 color=#203040\nball red at=10,10 r=4\n"
