@@ -186,6 +186,7 @@ void PinballController::draw_panel(const PlayContext& play, Canvas& canvas) cons
 
 void PinballController::add_status(const PlayContext& play, HudInfo& info) const {
     feedback_.add_score(play, info);
+    info.message_in_line = true;
     const double pull = std::get<PinballState>(play.session.game()).pull;
     if (pull > 0.0) {
         info.game = fmt::format("plunger {} {:.0f} %", power_bar(pull, play.view.options.look),

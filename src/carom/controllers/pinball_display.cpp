@@ -149,11 +149,6 @@ Camera PinballDisplay::look(const Session& session, const Box& table, const Cell
 
 TableAnnotations PinballDisplay::annotations(const Session& session) const {
     TableAnnotations annotations;
-    if (banner_left_ > 0.0) {
-        constexpr double beats = 4.0;  // a second
-        annotations.banner = banner_;
-        annotations.beat = beats * banner_left_ - std::floor(beats * banner_left_);
-    }
     const PinballTable& table = session.scene().table;
     const Dress& dress = session.scene().dress;
     const double radius = lamp_radius * ball_radius(session);
@@ -206,7 +201,14 @@ void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const Pi
     if (panel_.columns == 0) return;
     if (card_.columns > 0)
         draw_rules_card(canvas, card_, "HOW TO PLAY", session.scene().comment, look);
-    draw_score_panel(canvas, panel_, score_panel(session, scores, is_demonstrating), look);
+    ScorePanel panel = score_panel(session, scores, is_demonstrating);
+    if (banner_left_ > 0.0) {
+        constexpr double beats = 4.0;  // a second
+        const bool is_bright = beats * banner_left_ - std::floor(beats * banner_left_) < 0.5;
+        panel.message = banner_;
+        panel.moment = is_bright ? ScorePanel::Moment::large_bright : ScorePanel::Moment::large;
+    }
+    draw_score_panel(canvas, panel_, panel, look);
 }
 
 }  // namespace carom

@@ -36,7 +36,7 @@ class PinballDisplay {
     CellArea panel_;
     CellArea card_;
 
-    // A large moment, told across the table.
+    // A large moment, told in large letters in the panel: nothing may hide a ball in play.
     std::string banner_;
     double banner_left_ = 0.0;  // s
     std::int64_t score_ = 0;    // when last looked at

@@ -95,7 +95,6 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
 
     write_texts(canvas, view);
     memory.ground.lay(canvas);
-    write_banner(canvas, view);
 }
 
 }  // namespace carom

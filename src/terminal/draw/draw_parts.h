@@ -110,12 +110,11 @@ int number_width(const View& view, std::size_t ball);
 void polish_balls(std::vector<Ink>& inks, const View& view);
 
 // Onto the canvas, over all shapes.
-/// Writes text on the board: up to three columns aside, if only the ground is there; else over what
-/// is there. It never covers a ball.
+/// Writes text on the board. It moves up to three columns aside from shapes and from other text, if
+/// only the ground is there; else it covers what is there, but never a ball.
 void write_on_ground(Canvas& canvas, const View& view, int column, int row, std::string_view text,
                      const Ink& ink);
 void write_insert_names(Canvas& canvas, const View& view);
-void write_banner(Canvas& canvas, const View& view);
 /// The labels of the level.
 void write_board_labels(Canvas& canvas, const View& view);
 /// What the colours stand for, where they are a scale: of speed, in length/s, or of mass.

@@ -114,31 +114,6 @@ void paint_lit_edges(Raster& raster, const View& view) {
         paint_gauge(raster, view, gauge);
 }
 
-void write_banner(Canvas& canvas, const View& view) {
-    if (!view.annotations.table || view.annotations.table->banner.empty()) return;
-    const Look& look = view.options.look;
-    const CellArea& area = view.camera.area;
-    const std::string& banner = view.annotations.table->banner;
-    std::string text;
-    for (const char letter : banner)
-        text += std::string(text.empty() ? "" : " ") + letter;
-    const bool is_ascii =
-        std::ranges::all_of(banner, [](char letter) { return letter >= ' ' && letter <= '~'; });
-    if (!is_ascii || columns_of(text) + 6 > area.columns) text = banner;
-    const bool is_bright = view.annotations.table->beat < 0.5;
-    const Ink ink = ink_of(is_bright ? Role::warning : Role::error, look);
-    const int middle = area.row + area.rows * 2 / 5;
-    const int width = columns_of(text) + 6;
-    const int left = area.column + std::max(0, (area.columns - width) / 2);
-    for (int row = middle - 1; row <= middle + 1; ++row)
-        for (int column = left; column < std::min(left + width, area.column + area.columns);
-             ++column)
-            canvas.put(column, row,
-                       {U' ', ink.color, default_color, static_cast<std::uint8_t>(bold | reverse)});
-    canvas.write(left + 3, middle, text, ink.color, default_color,
-                 static_cast<std::uint8_t>(bold | reverse));
-}
-
 void polish_balls(std::vector<Ink>& inks, const View& view) {
     if (!view.annotations.table || view.options.color_by != ColorBy::kind) return;
     std::ranges::fill(inks, ink_of(Role::strong, view.options.look));

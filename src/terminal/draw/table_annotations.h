@@ -37,9 +37,6 @@ struct TableAnnotations {
     std::vector<Capsule> plungers;  ///< as pulled
     std::vector<PowerGauge> gauges;
     std::vector<Capsule> flippers;  ///< from the pivot to the tip
-    /// A large moment: shown across the table, such as "JACKPOT"; empty: none.
-    std::string banner;
-    double beat = 0.0;  ///< 0..1, of the banner's blinking
 };
 
 }  // namespace carom

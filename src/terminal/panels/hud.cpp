@@ -127,6 +127,15 @@ std::vector<std::string> message_lines(const std::string& message, int columns) 
     return lines;
 }
 
+Ink message_ink(const HudInfo& info, const Look& look) {
+    return ink_of(info.message_is_error ? Role::error : Role::warning, look);
+}
+
+bool shows_message_in_line(const HudInfo& info, int columns, int rows) {
+    return info.message_in_line && rows >= 2 && !info.message.empty() &&
+           info.message.find('\n') == std::string::npos && columns_of(info.message) <= columns - 2;
+}
+
 // Over the last rows of the world, at most half of them, and as wide as the text is.
 void draw_message(Canvas& canvas, int below, const HudInfo& info, const Look& look) {
     if (info.message.empty() || below <= 0) return;
@@ -139,7 +148,7 @@ void draw_message(Canvas& canvas, int below, const HudInfo& info, const Look& lo
     int width = 0;
     for (const std::string& line : lines)
         width = std::max(width, columns_of(line));
-    const Ink ink = ink_of(info.message_is_error ? Role::error : Role::warning, look);
+    const Ink ink = message_ink(info, look);
     int row = below - static_cast<int>(lines.size());
     for (const std::string& line : lines)
         title_bar(canvas, row++, look).write(0, " " + padded(line, width) + " ", ink);
@@ -161,12 +170,17 @@ void draw_hud(Canvas& canvas, const HudInfo& info, const Look& look) {
     const int first = canvas.rows() - count;
     const Bar top = title_bar(canvas, first, look);
     std::vector<HudField> play = play_fields(info, look);
-    draw_message(canvas, first, info, look);
+    const bool is_in_line = shows_message_in_line(info, canvas.columns(), count);
+    if (!is_in_line) draw_message(canvas, first, info, look);
     if (count == 0) return;
-    if (count == 1) return draw_first(top, info, std::move(play));
     draw_first(top, info, std::move(play));
+    if (count == 1) return;
     if (count == 3) draw_physics({canvas, look, first + 1}, info);
     draw_hints({canvas, look, first + count - 1}, info);
+    if (!is_in_line) return;
+    const Bar line{canvas, look, first + 1};
+    line.clear();
+    line.write(1, info.message, message_ink(info, look));
 }
 
 }  // namespace carom

@@ -67,6 +67,9 @@ struct HudInfo {
     std::string mode;     ///< settings in force, such as "ascii" or "mouse off"; may be empty
     std::string message;  ///< shown above the status lines, over the world
     bool message_is_error = false;
+    /// A message that fits is shown in the line of the game instead, where there is one: it must
+    /// not hide what moves in the world.
+    bool message_in_line = false;
     std::string message_more;    ///< where to read all of a message that has too many lines
     std::vector<KeyHelp> hints;  ///< the most useful first
 };
@@ -78,7 +81,8 @@ int hud_rows(int columns, int rows);
 CellArea world_area(int columns, int rows);
 
 /// Fills the rows below world_area(canvas.columns(), canvas.rows()). Fields that do not fit are
-/// left out, the least important first. A message covers the last rows of the world.
+/// left out, the least important first. A message covers the last rows of the world,
+/// unless it is shown in a line (HudInfo::message_in_line).
 void draw_hud(Canvas& canvas, const HudInfo& info, const Look& look);
 
 }  // namespace carom

@@ -47,17 +47,32 @@ class Writer {
         row_ += scale * large_rows(look_);
     }
     // Light text on a bar as wide as the panel, noticeable from the corner of an eye.
-    void call(std::string_view text, const Ink& ink) {
+    void call(std::string_view text, const Ink& ink) { bar(text, ink, reverse); }
+    // A call three rows high, with spaces between its letters where there is room.
+    void large_call(std::string_view text, const Ink& ink) {
+        std::string spaced;
+        for (const char letter : text)
+            spaced += std::string(spaced.empty() ? "" : " ") + letter;
+        const bool is_ascii =
+            std::ranges::all_of(text, [](char letter) { return letter >= ' ' && letter <= '~'; });
+        const bool is_spaced = is_ascii && columns_of(spaced) <= area_.columns;
+        const auto attributes = static_cast<std::uint8_t>(bold | reverse);
+        bar("", ink, attributes);
+        bar(is_spaced ? spaced : text, ink, attributes);
+        bar("", ink, attributes);
+    }
+
+  private:
+    void bar(std::string_view text, const Ink& ink, std::uint8_t attributes) {
         const int width = std::min(columns_of(text), area_.columns);
         const int left = (area_.columns - width) / 2;
         std::string bar(static_cast<std::size_t>(left), ' ');
         bar += cut_to(text, area_.columns);
         bar.append(static_cast<std::size_t>(area_.columns - left - width), ' ');
         canvas_.write(area_.column, area_.row + row_++, bar, ink.color, default_color,
-                      static_cast<std::uint8_t>(ink.attributes | reverse));
+                      static_cast<std::uint8_t>(ink.attributes | attributes));
     }
 
-  private:
     Canvas& canvas_;
     CellArea area_;
     const Look& look_;
@@ -85,14 +100,22 @@ void write_score_panel(Canvas& canvas, const CellArea& area, const ScorePanel& p
     if (is_roomy) writer.skip();
     for (const std::string& line : wrapped(panel.task, inside.columns))
         if (!line.empty() && writer.rows_left() > 2) writer.line(line, strong);
-    if (is_roomy && !panel.task.empty()) writer.skip();
-    if (!panel.message.empty() && writer.rows_left() > 0)
+    // A large message takes the row above it, and the one below.
+    const bool is_large = panel.moment != ScorePanel::Moment::plain && is_roomy &&
+                          !panel.message.empty() && writer.rows_left() > 3;
+    if (is_roomy && !panel.task.empty() && !is_large) writer.skip();
+    if (is_large)
+        writer.large_call(
+            panel.message,
+            ink_of(panel.moment == ScorePanel::Moment::large_bright ? Role::warning : Role::error,
+                   look));
+    else if (!panel.message.empty() && writer.rows_left() > 0)
         writer.call(panel.message, ink_of(Role::warning, look));
     else
         writer.skip();
     if (!panel.call.empty() && writer.rows_left() > 0)
         writer.call(panel.call, ink_of(Role::good, look));
-    else
+    else if (!is_large)
         writer.skip();
     if (panel.high_scores.empty() || writer.rows_left() < 3) return;
     writer.skip();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,9 +20,13 @@ struct ScoreLine {
 };
 
 struct ScorePanel {
+    /// How the message is drawn: in a line, or higher, in two colours that take turns.
+    enum class Moment : std::uint8_t { plain, large, large_bright };
+
     std::string title;
     std::string score;                   ///< digits and commas
     std::string message;                 ///< drawn in a box; may be empty
+    Moment moment = Moment::plain;       ///< of the message
     std::vector<std::string> lines;      ///< the ball, the bonus, ...
     std::string task;                    ///< what to do now; may be empty
     std::string call;                    ///< an announcement such as "SHOOT AGAIN"; may be empty

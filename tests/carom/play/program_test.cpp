@@ -223,6 +223,8 @@ TEST_CASE("a flipper key is changed at a pinball table, and the hints name the n
         CHECK(running.sees("z: left flipper. Press its new key."));
         running.key(U'a');
         CHECK(running.sees("a: left flipper."));
+        running.pass(0.1);
+        running.pass(4.5);  // the message ends
         CHECK(running.sees("Flippers: a and /"));
     }
     CHECK(contents(home.preferences()) == "a = left-flipper\n");

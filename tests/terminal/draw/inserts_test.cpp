@@ -76,16 +76,6 @@ TEST_CASE("an arrow points in ASCII too, and names do not cover other lights") {
     CHECK(Picture(table, ascii_renderer()).canvas.text().find("JACKPOT") == std::string::npos);
 }
 
-TEST_CASE("a large moment is written across the table, with spaces where there is room") {
-    TableAnnotations table;
-    table.banner = "JACKPOT";
-    CHECK(Picture(table, half_block_renderer()).canvas.text().find("J A C K P O T") !=
-          std::string::npos);
-    table.banner = "MULTIBALL: THE VAULT IS THE JACKPOT";
-    CHECK(Picture(table, half_block_renderer()).canvas.text().find(table.banner) !=
-          std::string::npos);
-}
-
 TEST_CASE("an area above the board is see-through, and covers balls on the board only") {
     const std::string ramp =
         "material rail layer=1\nedge rail 40,10 50,10\n"

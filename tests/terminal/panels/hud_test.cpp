@@ -208,6 +208,29 @@ TEST_CASE("found 4: a message lies over the world, and never over the hints") {
     CHECK(small.text().find("\n saved\n galton-2.level\n Galton b") != std::string::npos);
 }
 
+TEST_CASE("a message at a game of pinball takes the line of the game, and covers no ball") {
+    HudInfo info = galton();
+    info.is_game = true;
+    info.game = "Flippers: z and /";
+    info.message = "carom plays";
+    info.message_in_line = true;
+    for (const int rows : {24, 14}) {
+        Canvas canvas(80, rows);
+        draw_hud(canvas, info, plain_look);
+        const std::string text = canvas.text();
+        CHECK(text.find("Galton board, 12 rows") < text.find("\n carom plays\n"));
+        CHECK(text.find("\n carom plays\n") != std::string::npos);
+    }
+    // It has no line there, or does not fit.
+    Canvas low(80, 9);
+    draw_hud(low, info, plain_look);
+    CHECK(low.text().find("\n carom plays\n Galton") != std::string::npos);
+    info.message = std::string(100, 'x');
+    Canvas canvas(80, 24);
+    draw_hud(canvas, info, plain_look);
+    CHECK(canvas.text().find("xx\n Galton") != std::string::npos);
+}
+
 TEST_CASE("issue 22: lines of errors keep their carets, and say where the rest is") {
     HudInfo info = galton();
     for (int i = 0; i < 20; ++i)

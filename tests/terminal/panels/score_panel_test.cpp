@@ -53,6 +53,25 @@ TEST_CASE("the table of scores comes last, with messages above it") {
     CHECK(text.find(" 1  ABC        123,450") != std::string::npos);
 }
 
+TEST_CASE("a large moment takes three rows, with spaces between its letters where there is room") {
+    ScorePanel panel{.title = "T", .score = "5", .message = "JACKPOT", .lines = {"ball 1 of 3"}};
+    const std::string small = drawn(panel, 34, 24, ascii);
+    panel.moment = ScorePanel::Moment::large;
+    panel.high_scores.push_back({"1", "ABC", "123,450", false});
+    Canvas canvas(34, 24);
+    draw_score_panel(canvas, {0, 0, 34, 24}, panel, ascii);
+    int reversed = 0;
+    for (int row = 0; row < 24; ++row)
+        reversed += (canvas.at(1, row).attributes & reverse) != 0 ? 1 : 0;
+    CHECK(small.find("JACKPOT") != std::string::npos);
+    CHECK(canvas.text().find("J A C K P O T") < canvas.text().find("HIGH SCORES"));
+    CHECK(reversed == 3);
+    panel.message = "MULTIBALL: VAULT IS THE JACKPOT";
+    CHECK(drawn(panel, 34, 24, ascii).find(panel.message) != std::string::npos);
+    // A low panel has one row for it.
+    CHECK(drawn(panel, 34, 12, ascii).find(panel.message) != std::string::npos);
+}
+
 TEST_CASE("a wide panel writes the score twice as large") {
     const std::string text = drawn({.score = "7"}, 72, 30, Look{256, true, false});
     CHECK(text.find("██████\n") != std::string::npos);
