@@ -59,6 +59,8 @@ class RuleAssembly {
     std::optional<std::uint32_t> find_balls(std::string_view name);
     std::optional<std::uint32_t> find_place(std::string_view name);
     std::optional<std::uint32_t> place_named(const Word& name, bool is_edge);
+    bool is_ball(std::string_view name) const;
+    bool has_error(std::string_view name) const;
     std::vector<std::string_view> known_names() const;
     bool has_zones(std::uint32_t place) const { return !places_[place].zones.empty(); }
 

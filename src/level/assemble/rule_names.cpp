@@ -127,9 +127,20 @@ std::vector<std::string_view> RuleAssembly::known_names() const {
     return known;
 }
 
+// Whether a ball is called so: one that was not found has an error of its own.
+bool RuleAssembly::is_ball(std::string_view name) const {
+    return std::ranges::any_of(ir_.ball_bindings, [&](const BallBinding& binding) {
+        return binding.name && binding.name->text == name;
+    });
+}
+
+bool RuleAssembly::has_error(std::string_view name) const {
+    return std::ranges::count(ir_.error_names, name) > 0;
+}
+
 std::optional<std::uint32_t> RuleAssembly::balls_named(const Word& name) {
     if (const auto found = find_balls(name.text)) return found;
-    if (std::ranges::count(ir_.error_names, name.text) > 0) return std::nullopt;
+    if (has_error(name.text) || is_ball(name.text)) return std::nullopt;
     refuse("unknown-ball", name, fmt::format("there are no balls '{}'", name.text),
            did_you_mean(name.text, known_names(),
                         "write the name of a ball, a rack or a kind; ball, cue or opponent"));
@@ -140,11 +151,14 @@ std::optional<std::uint32_t> RuleAssembly::place_named(const Word& name, bool is
     const auto found = find_place(name.text);
     const bool fits = found && (is_edge ? !places_[*found].capsules.empty() : has_zones(*found));
     if (fits) return found;
-    if (std::ranges::count(ir_.error_names, name.text) > 0) return std::nullopt;
+    if (has_error(name.text) || (is_edge && is_ball(name.text))) return std::nullopt;
+    // A ball where a place is wanted must not be suggested again.
+    std::vector<std::string_view> known = known_names();
+    std::erase(known, name.text);
     refuse("unknown-place", name,
            is_edge ? fmt::format("nothing that a ball can hit is called '{}'", name.text)
                    : fmt::format("there is no pocket or zone '{}'", name.text),
-           did_you_mean(name.text, known_names(),
+           did_you_mean(name.text, known,
                         is_edge ? "name an edge: edge name=wall 0,0 9,0"
                                 : "name a zone or a pocket: zone tee 0,0 0,0 r=1"));
     return std::nullopt;
