@@ -97,8 +97,9 @@ void paint_cue(Raster& raster, const View& view, const PoolAnnotations::Line& st
                double ball_radius) {
     const Look& look = view.options.look;
     if (!look.has_shades() || raster.renderer().has_regions())
-        return raster.line(to_raster(view.camera, stick.from), to_raster(view.camera, stick.to),
-                           ink_of(Role::selected, look));
+        // Crisp, since without shades a soft line between two rows of pixels is in neither.
+        return raster.capsule(to_raster(view.camera, stick.from), to_raster(view.camera, stick.to),
+                              0.0, {.ink = ink_of(Role::selected, look), .is_crisp = true});
     struct Piece {
         double from;
         double to;
