@@ -5,6 +5,7 @@
 
 #include "carom/cli/check.h"
 #include "carom/cli/compare.h"
+#include "carom/cli/explain.h"
 #include "carom/cli/measure.h"
 #include "carom/cli/picture.h"
 #include "carom/cli/run.h"
@@ -30,6 +31,7 @@ struct Perform {
     int operator()(const VerifyOptions& options) const { return verify(options); }
     int operator()(const CheckOptions& options) const { return check(options); }
     int operator()(const PictureOptions& options) const { return picture(options); }
+    int operator()(const ExplainOptions& options) const { return explain(options); }
     int operator()(const ListOptions& options) const { return list(options); }
     int operator()(const UsageAnswer& given) const { return answer(given); }
 };

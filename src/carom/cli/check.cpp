@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstdio>
+#include <string>
 #include <utility>
 
-#include "carom/cli/load_and_report.h"
 #include "carom/files/level_files.h"
 #include "carom/files/print.h"
 #include "lab/json.h"
@@ -28,13 +30,31 @@ void write_diagnostic(JsonWriter& json, const Diagnostic& diagnostic) {
     json.end_object();
 }
 
+// As load_level_file(), where "-" is the text on standard input.
+LoadedLevel load(const std::string& argument, LoadOptions options) {
+    if (argument != "-") return load_level_file(argument, std::move(options));
+    constexpr std::size_t most = std::size_t{4} << 20;  // as read_file
+    std::string text;
+    std::array<char, 65536> part{};
+    while (text.size() <= most) {
+        const std::size_t read = std::fread(part.data(), 1, part.size(), stdin);
+        if (read == 0) break;
+        text.append(part.data(), read);
+    }
+    LoadedLevel loaded;
+    loaded.path = "standard input";
+    options.resolve_include = include_resolver();
+    loaded.result = load_level(text, loaded.path, options);
+    return loaded;
+}
+
 // A list of all diagnostics of all levels. A level that cannot be read has one without a line.
 int check_for_tools(const CheckOptions& options) {
     bool all_load = true;
     JsonWriter json;
     json.begin_list(JsonWriter::Layout::lines);
     for (const std::string& argument : options.levels) {
-        const LoadedLevel level = load_level_file(argument, {.overrides = options.overrides});
+        const LoadedLevel level = load(argument, {.overrides = options.overrides});
         all_load = all_load && level.result.scene;
         if (!level.error.empty()) {
             json.begin_object(JsonWriter::Layout::one_line);
@@ -57,7 +77,9 @@ int check(const CheckOptions& options) {
     if (options.format == CheckFormat::json) return check_for_tools(options);
     bool all_load = true;
     for (const std::string& argument : options.levels) {
-        const LoadedLevel level = load_and_report(argument, {.overrides = options.overrides});
+        const LoadedLevel level = load(argument, {.overrides = options.overrides});
+        if (!level.error.empty()) print_error(level.error);
+        print_diagnostics(level.result.diagnostics);
         if (!level.result.scene) {
             all_load = false;
         } else if (!print_out(fmt::format("{}: ok\n", level.path))) {

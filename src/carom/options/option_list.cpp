@@ -273,10 +273,18 @@ void add_picture(CLI::App& app, PictureOptions& options) {
     picture.add_simulation_options(options);
 }
 
+void add_explain(CLI::App& app, ExplainOptions& options) {
+    Command explain(app, "explain", "Print what a statement of the level language takes");
+    explain.app()
+        .add_option("STATEMENT", options.words, "Its name, as in edge or use gravity; absent: all")
+        ->type_name("");
+}
+
 void add_check_and_list(CLI::App& app, CheckOptions& options) {
     Command check(app, "check", "Say all that is wrong with levels: exit code 0 or 2");
     check.app()
-        .add_option("LEVEL", options.levels, "Files, or names of levels that ship")
+        .add_option("LEVEL", options.levels,
+                    "Files, names of levels that ship, or - for standard input")
         ->type_name("")
         ->required();
     check.add_overrides(options.overrides);
@@ -294,6 +302,7 @@ void add_commands(CLI::App& app, CommandOptions& options) {
     add_measure(app, options.measure);
     add_compare(app, options.compare);
     add_check_and_list(app, options.check);
+    add_explain(app, options.explain);
     add_picture(app, options.picture);
 }
 

@@ -20,6 +20,7 @@ struct CommandOptions {
     VerifyOptions verify;
     CheckOptions check;
     PictureOptions picture;
+    ExplainOptions explain;
 };
 
 /// `options` must outlive parsing. Parsing throws BadValue for an invalid value.

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 
 #include "carom/options/option_list.h"
 #include "carom/options/option_values.h"
@@ -35,8 +36,9 @@ UsageAnswer unknown_option(const CLI::App* command, std::string_view spelling) {
 }
 
 UsageAnswer unknown_command(const CLI::App* app, std::string_view spelling) {
-    const std::string meant = suggestion(spelling, {"play", "run", "replay", "verify", "measure",
-                                                    "compare", "check", "list", "picture"});
+    const std::string meant =
+        suggestion(spelling, {"play", "run", "replay", "verify", "measure", "compare", "check",
+                              "explain", "list", "picture"});
     const std::string what = fmt::format("there is no command '{}'", spelling);
     if (!meant.empty()) return mistake(app, what + meant);
     return mistake(app, fmt::format("{}; to play a level, write `carom play {}`", what, spelling));
@@ -87,7 +89,35 @@ Request request_of(const CLI::App* command, CommandOptions& options) {
     if (name == "check") return std::move(options.check);
     if (name == "picture") return std::move(options.picture);
     if (name == "list") return ListOptions{};
+    if (name == "explain") return std::move(options.explain);
     return request_of(command, options.play);
+}
+
+constexpr std::size_t help_columns = 80;
+
+// A line of help within 80 columns: what does not fit goes on below the description.
+std::string wrapped_line(std::string line) {
+    const std::size_t name = line.find_first_not_of(' ');
+    const std::size_t gap = line.find("  ", name);
+    const std::size_t indent = gap == line.npos ? 0 : line.find_first_not_of(' ', gap);
+    std::string text;
+    while (line.size() > help_columns) {
+        const std::size_t cut = line.rfind(' ', help_columns);
+        if (cut == line.npos || cut <= indent) break;
+        text += line.substr(0, cut) + "\n";
+        line = std::string(indent, ' ') + line.substr(cut + 1);
+    }
+    return text + line;
+}
+
+std::string wrapped_help(std::string_view help) {
+    std::string text;
+    while (!help.empty()) {
+        const std::size_t end = std::min(help.find('\n'), help.size());
+        text += wrapped_line(std::string(help.substr(0, end))) + "\n";
+        help.remove_prefix(std::min(end + 1, help.size()));
+    }
+    return text;
 }
 
 }  // namespace
@@ -112,7 +142,7 @@ Request parse_options(int count, const char* const* arguments) {
     } catch (const CLI::CallForVersion&) {
         return UsageAnswer{.text = app.version() + "\n"};
     } catch (const CLI::CallForHelp&) {
-        return UsageAnswer{.text = app.help()};
+        return UsageAnswer{.text = wrapped_help(app.help())};
     } catch (const CLI::ArgumentMismatch& error) {
         const std::string_view what = error.what();
         return mistake(chosen(app),

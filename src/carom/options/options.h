@@ -114,14 +114,20 @@ struct PictureOptions {
 /// `carom list`
 struct ListOptions {};
 
+/// `carom explain [STATEMENT]`
+struct ExplainOptions {
+    std::vector<std::string> words;  ///< of the statement's name, as in "use gravity"; none: all
+};
+
 /// The answer to the command line itself: help, the version, or an error.
 struct UsageAnswer {
     std::string text;
     int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
 };
 
-using Request = std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, VerifyOptions,
-                             CheckOptions, ListOptions, PictureOptions, UsageAnswer>;
+using Request =
+    std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, VerifyOptions,
+                 CheckOptions, ListOptions, PictureOptions, ExplainOptions, UsageAnswer>;
 
 /// Never throws or exits: an error is a UsageAnswer with exit code 2.
 Request parse_options(int count, const char* const* arguments);
