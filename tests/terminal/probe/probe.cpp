@@ -23,6 +23,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -44,11 +45,16 @@ unsigned long terminal_bytes = 0;
 
 // Replaces the C library's write() in this program and the libraries that it loads.
 extern "C" ssize_t write(int handle, const void* bytes, size_t length) {
+    const ssize_t written = syscall(SYS_write, handle, bytes, length);
+    // isatty() may change errno.
+    const int error = errno;
     if (handle != 3 && isatty(handle) != 0) {
         ++terminal_writes;
-        terminal_bytes += length;
+        // A terminal that is full takes a part, and the rest comes again.
+        if (written > 0) terminal_bytes += static_cast<unsigned long>(written);
     }
-    return syscall(SYS_write, handle, bytes, length);
+    errno = error;
+    return written;
 }
 
 namespace {
