@@ -211,7 +211,7 @@ TEST_CASE("mini-golf: a hole in one leads to the next hole") {
     ShotsGame game(shipped_level("mini-golf"));
     game.shoot(Vec2{1.6, 0.0});
     CHECK(game.score(0) == 1);
-    CHECK(says(game.state(), "hole 1: 1 strokes, par 2"));
+    CHECK(says(game.state(), "hole 1: in one!"));
     CHECK(task_text(game.session.scene(), game.session.world(), game.session.game()) ==
           "HOLE 2  PAR 2  STROKE 1");
     const auto hole = box_to_look_at(game.session.scene(), game.state());
