@@ -1,46 +1,25 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "game/support/shipped.h"
-#include "game/support/shots_game.h"
+#include "game/support/carom_table.h"
 
 // The shots of carom billiards as books describe them, by the order in which the cue ball meets
 // cushions and balls: each scores as the rules of its game say.
 
 using namespace carom;
+using carom::test::in_diamonds;
+using carom::test::placed;
 using carom::test::shipped_level;
 using carom::test::ShotsGame;
+using carom::test::story_of;
+using carom::test::struck;
 
 namespace {
-
-// What the cue ball met, in order: c a cushion, 1 the first ball, 2 the other one. What comes after
-// the second ball does not matter, nor does the first ball met again.
-std::string story_of(ShotsGame& game, const command::Strike& strike) {
-    const std::uint32_t cue = number(strike.ball);
-    std::string story;
-    std::set<std::uint32_t> balls;
-    REQUIRE_FALSE(game.session.apply(strike));
-    while (game.state().is_shooting) {
-        game.session.step_forward();
-        for (const Contact& contact : game.session.contacts()) {
-            if (balls.size() == 2) continue;
-            if (contact.kind == ContactKind::ball_edge) {
-                if (contact.a == cue) story += 'c';
-                continue;
-            }
-            if (contact.a != cue && contact.b != cue) continue;
-            const std::uint32_t other = contact.a == cue ? contact.b : contact.a;
-            if (balls.insert(other).second) story += static_cast<char>('0' + balls.size());
-        }
-    }
-    return story;
-}
 
 struct Kinds {
     std::set<std::string> points;
@@ -121,25 +100,6 @@ TEST_CASE("three-cushion: the opening shot scores off the red, by three cushions
             }
     CHECK(std::ranges::any_of(stories,
                               [](const std::string& story) { return story.starts_with("1ccc"); }));
-}
-
-// A place in diamonds: 0,0 is the lower left corner of the cloth, 8,4 the upper right one.
-Vec2 in_diamonds(double x, double y) {
-    constexpr double diamond = 0.355;
-    return {(x - 4.0) * diamond, (y - 2.0) * diamond};
-}
-
-// Three-cushion with the balls at these places: white, yellow, red.
-Scene placed(std::array<Vec2, 3> places) {
-    Scene scene = shipped_level("three-cushion");
-    for (std::size_t i = 0; i < places.size(); ++i)
-        scene.world.edit_balls().position[i] = places[i];
-    return scene;
-}
-
-command::Strike struck(const ShotsGame& game, Vec2 way, double speed, double side) {
-    const Vec2 velocity = way * (speed / std::hypot(way.x, way.y));
-    return {*cue_ball_of(game.session.scene(), game.state()), velocity, side};
 }
 
 // "The Diamond System" (E. Perreault with the Billard Club Sottevillais): aim = start - finish,
