@@ -6,6 +6,18 @@
 #include <string_view>
 
 namespace carom {
+namespace {
+
+// Where the overlay of cells shows nothing, says why.
+void tell_why_no_cells(PlayContext& play) {
+    const CellFrame& cells = play.session.cells();
+    if (cells == CellFrame{})
+        say(play, "No cells: the solver has none, or has not begun.");
+    else if (!has_room_for_grid(play.view.camera, cells.cell.x))
+        say(play, fmt::format("Cells too small to show: {} zooms in.", play.keys.hint("zoom-in")));
+}
+
+}  // namespace
 
 void next_renderer(PlayContext& play) {
     ViewOptions& view = play.view.options;
@@ -31,6 +43,7 @@ void toggle(PlayContext& play, bool& what, std::string_view name) {
 void toggle_overlay(PlayContext& play, std::string_view name) {
     const std::size_t overlay = overlay_named(name);
     toggle(play, play.view.options.overlays[overlay], overlays()[overlay].title);
+    if (name == "broad-phase" && play.view.options.overlays[overlay]) tell_why_no_cells(play);
 }
 
 void next_overlay(PlayContext& play) {
@@ -74,7 +87,7 @@ void toggle_following(PlayContext& play) {
     view.follows = !view.follows && view.selected;
     say(play, view.follows    ? fmt::format("following ball {}", number(*view.selected))
               : view.selected ? "not following"
-                              : "press tab to choose a ball first");
+                              : "Press tab to choose a ball first.");
 }
 
 void reset_view(PlayContext& play) {

@@ -73,7 +73,7 @@ std::string PinballInput::next_flipper_mode() {
 std::string PinballInput::flipper_mode() const {
     if (buttons_.toggles()) return "Each press turns one over.";
     if (buttons_.tells_release()) return "Hold to keep up.";
-    return fmt::format("Hold to keep up (a tap: {:.2f} s).", buttons_.repeat().tap_length());
+    return fmt::format("Hold to keep up (a tap lasts {:.2f} s).", buttons_.repeat().tap_length());
 }
 
 }  // namespace carom

@@ -39,7 +39,7 @@ class PinballInput {
     /// Switches between flippers that toggle and flippers that are up only while held. Returns the
     /// new mode as a sentence.
     std::string next_flipper_mode();
-    /// The current mode, for the status line: "Hold to keep up (a tap: 0.70 s).".
+    /// The current mode, for the status line: "Hold to keep up (a tap lasts 0.70 s).".
     std::string flipper_mode() const;
     /// The terminal reports key releases.
     void set_tells_release() { buttons_.set_tells_release(true); }

@@ -15,7 +15,7 @@ constexpr double closest_lines = 3.0;
 
 void paint_lattice(Raster& raster, const View& view, Vec2 origin, double spacing, const Ink& ink,
                    std::uint8_t strength) {
-    if (!(spacing * view.camera.columns_per_length >= closest_lines)) return;
+    if (!has_room_for_grid(view.camera, spacing)) return;
     const Box visible = visible_box(view.camera);
     const auto first = [&](double low, double from) {
         return from + std::ceil((low - from) / spacing) * spacing;
@@ -130,6 +130,10 @@ double round_spacing(double columns_per_length) {
     const double power = std::pow(10.0, std::floor(std::log10(wanted)));
     const double leading = wanted / power;
     return power * (leading < 2.0 ? 1.0 : leading < 5.0 ? 2.0 : 5.0);
+}
+
+bool has_room_for_grid(const Camera& camera, double spacing) {
+    return spacing * camera.columns_per_length >= closest_lines;
 }
 
 std::span<const Overlay> overlays() {

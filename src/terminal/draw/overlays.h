@@ -24,6 +24,10 @@ struct Overlay {
 /// All overlays, in the order in which a player cycles through them.
 std::span<const Overlay> overlays();
 
+/// Whether lines so far apart, in lengths of the world, are drawn: closer ones would hide the
+/// picture.
+bool has_room_for_grid(const Camera& camera, double spacing);
+
 /// The index of an overlay in the table. Pre: there is an overlay of that name.
 std::size_t overlay_named(std::string_view name);
 

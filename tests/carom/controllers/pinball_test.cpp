@@ -159,7 +159,7 @@ TEST_CASE("with key releases, the first press already holds the flipper up") {
         CAPTURE(tells);
         AtTable table(home, tells);
         const std::size_t at_rest = table.picture();
-        CHECK(table.sees(tells ? "Hold to keep up.  k" : "Hold to keep up (a tap: 0.75 s)"));
+        CHECK(table.sees(tells ? "Hold to keep up.  k" : "Hold to keep up (a tap lasts 0.75 s)"));
         table.key(U'z');
         table.pass(0.1);
         const std::size_t up = table.picture();
@@ -305,7 +305,7 @@ TEST_CASE("how the terminal repeats keys is remembered when the game ends") {
             table.pass(wait);
             table.key(U'z');
         }
-        CHECK(table.sees("a tap: 0.54 s"));
+        CHECK(table.sees("a tap lasts 0.54 s"));
         table.key(U'q');
     }
     std::ifstream file(home.path / "config/carom/preferences");
@@ -313,7 +313,7 @@ TEST_CASE("how the terminal repeats keys is remembered when the game ends") {
     std::getline(file, line);
     CHECK(line == "key-repeat = 500 40");
     AtTable table(home, false, false, line.c_str());
-    CHECK(table.sees("a tap: 0.54 s"));
+    CHECK(table.sees("a tap lasts 0.54 s"));
 }
 
 TEST_CASE("a gauge shows how far the plunger is pulled") {

@@ -688,6 +688,7 @@ TEST_CASE("the broad-phase overlay shows the cells that the solver used") {
     person.key(U' ');
     const std::string before = picture();
     person.key(U'3');
+    CHECK(person.sees("No cells: the solver has none, or has not begun."));
     CHECK(picture() == before);  // nothing has been computed yet
     person.key(U'.');
     CHECK_FALSE(person.player.session().cells() == CellFrame{});
