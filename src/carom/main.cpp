@@ -7,6 +7,7 @@
 #include "carom/cli/compare.h"
 #include "carom/cli/explain.h"
 #include "carom/cli/measure.h"
+#include "carom/cli/new_level.h"
 #include "carom/cli/picture.h"
 #include "carom/cli/run.h"
 #include "carom/cli/verify.h"
@@ -32,6 +33,7 @@ struct Perform {
     int operator()(const CheckOptions& options) const { return check(options); }
     int operator()(const PictureOptions& options) const { return picture(options); }
     int operator()(const ExplainOptions& options) const { return explain(options); }
+    int operator()(const NewOptions& options) const { return new_level(options); }
     int operator()(const ListOptions& options) const { return list(options); }
     int operator()(const UsageAnswer& given) const { return answer(given); }
 };

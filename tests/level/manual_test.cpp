@@ -82,6 +82,27 @@ TEST_CASE("the manual has an example of every statement, key and flag") {
     }
 }
 
+TEST_CASE("the syntax file for Vim knows every statement") {
+    std::istringstream file(
+        read_file(std::filesystem::path(CAROM_SOURCE_DIR) / "docs/editors/carom.vim"));
+    std::vector<std::string> listed;
+    for (std::string line; std::getline(file, line);) {
+        const std::string start = "syntax keyword caromStatement ";
+        if (!line.starts_with(start)) continue;
+        std::istringstream words(line.substr(start.size()));
+        for (std::string word; words >> word;)
+            listed.push_back(word);
+    }
+    const auto known = all_statements().keywords();
+    std::vector<std::string> wanted(known.begin(), known.end());
+    std::ranges::sort(wanted);
+    std::ranges::sort(listed);
+    // `end` closes blocks, and is no statement of its own.
+    std::erase(listed, "end");
+    std::erase(wanted, "end");
+    CHECK(listed == wanted);
+}
+
 TEST_CASE("the grammar of the manual equals that of the statement table") {
     const auto blocks = examples("grammar");
     REQUIRE(blocks.size() == 1);

@@ -273,6 +273,16 @@ void add_picture(CLI::App& app, PictureOptions& options) {
     picture.add_simulation_options(options);
 }
 
+void add_new(CLI::App& app, NewOptions& options) {
+    Command fresh(app, "new", "Write a level to begin with, or a copy of one that ships");
+    fresh.app()
+        .add_option("FILE", options.file, "A file that does not exist yet")
+        ->type_name("")
+        ->required();
+    fresh.add({"--template", "LEVEL", "The level to copy: a file, or the name of one that ships"},
+              options.source);
+}
+
 void add_explain(CLI::App& app, ExplainOptions& options) {
     Command explain(app, "explain", "Print what a statement of the level language takes");
     explain.app()
@@ -303,6 +313,7 @@ void add_commands(CLI::App& app, CommandOptions& options) {
     add_compare(app, options.compare);
     add_check_and_list(app, options.check);
     add_explain(app, options.explain);
+    add_new(app, options.fresh);
     add_picture(app, options.picture);
 }
 

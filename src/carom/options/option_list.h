@@ -21,6 +21,7 @@ struct CommandOptions {
     CheckOptions check;
     PictureOptions picture;
     ExplainOptions explain;
+    NewOptions fresh;  ///< of `new`
 };
 
 /// `options` must outlive parsing. Parsing throws BadValue for an invalid value.

@@ -38,7 +38,7 @@ UsageAnswer unknown_option(const CLI::App* command, std::string_view spelling) {
 UsageAnswer unknown_command(const CLI::App* app, std::string_view spelling) {
     const std::string meant =
         suggestion(spelling, {"play", "run", "replay", "verify", "measure", "compare", "check",
-                              "explain", "list", "picture"});
+                              "explain", "new", "list", "picture"});
     const std::string what = fmt::format("there is no command '{}'", spelling);
     if (!meant.empty()) return mistake(app, what + meant);
     return mistake(app, fmt::format("{}; to play a level, write `carom play {}`", what, spelling));
@@ -90,6 +90,7 @@ Request request_of(const CLI::App* command, CommandOptions& options) {
     if (name == "picture") return std::move(options.picture);
     if (name == "list") return ListOptions{};
     if (name == "explain") return std::move(options.explain);
+    if (name == "new") return std::move(options.fresh);
     return request_of(command, options.play);
 }
 

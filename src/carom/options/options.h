@@ -114,6 +114,12 @@ struct PictureOptions {
 /// `carom list`
 struct ListOptions {};
 
+/// `carom new FILE`
+struct NewOptions {
+    std::string file;
+    std::string source;  ///< the level to copy; empty: one to begin with
+};
+
 /// `carom explain [STATEMENT]`
 struct ExplainOptions {
     std::vector<std::string> words;  ///< of the statement's name, as in "use gravity"; none: all
@@ -125,9 +131,9 @@ struct UsageAnswer {
     int exit_code = 0;  ///< 0: the text is for standard output; 2: for standard error
 };
 
-using Request =
-    std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, VerifyOptions,
-                 CheckOptions, ListOptions, PictureOptions, ExplainOptions, UsageAnswer>;
+using Request = std::variant<PlayOptions, RunOptions, MeasureOptions, CompareOptions, VerifyOptions,
+                             CheckOptions, ListOptions, PictureOptions, ExplainOptions, NewOptions,
+                             UsageAnswer>;
 
 /// Never throws or exits: an error is a UsageAnswer with exit code 2.
 Request parse_options(int count, const char* const* arguments);

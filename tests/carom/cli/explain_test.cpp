@@ -23,6 +23,20 @@ TEST_CASE("explain suggests a statement for a mistyped one") {
     CHECK(has(mistyped.err, "there is no statement 'bumpr'; did you mean 'bumper'?"));
 }
 
+TEST_CASE("new writes a level that loads, copies another, and leaves what is there") {
+    const TemporaryFolder folder;
+    const std::string file = folder.path("mine.level");
+    CHECK(run_carom({"new", file}).exit_code == 0);
+    CHECK(run_carom({"check", file}).exit_code == 0);
+    const std::string text = content(file);
+    CHECK(has(run_carom({"new", file, "--template", "gas"}).err, "exists already"));
+    CHECK(content(file) == text);
+    const std::string copy = folder.path("copy.level");
+    CHECK(run_carom({"new", copy, "--template", file}).exit_code == 0);
+    CHECK(content(copy) == text);
+    CHECK(has(run_carom({"new", folder.path("a"), "--template", "none"}).err, "no level 'none'"));
+}
+
 TEST_CASE("check reads a level from standard input") {
     const Finished empty = run_carom({"check", "-"});
     CHECK(empty.exit_code == 2);
