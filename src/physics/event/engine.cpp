@@ -92,9 +92,10 @@ void EventEngine<Real>::stop_untimed() {
     const Balls& balls = scene_.world->balls();
     const double rounding = precision<Real> * static_cast<double>(scene_.end);
     const double most = most_untimed_travel / rounding;  // radii/s
-    for (std::uint32_t i = 0; i < balls.size() && !work_.is_cancelled(); ++i) {
+    for (std::uint32_t i = 0; i < balls.size(); ++i) {
         const double limit = most * balls.radius[i];
         if (dot(balls.velocity[i], balls.velocity[i]) <= limit * limit) continue;
+        if (work_.is_cancelled()) return;
         if (balls_[i].line.motion == Motion::held) continue;
         standstill_.stop(i);
         predict(i);

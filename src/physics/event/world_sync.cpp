@@ -145,8 +145,10 @@ bool WorldSync<Real>::has_kept_spin(std::uint32_t ball) const {
 template <typename Real>
 void WorldSync<Real>::write_states(World& world) {
     Balls& balls = SolverAccess(world).balls();
+    moving_.clear();
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         if (has_lain_still(i)) continue;
+        moving_.push_back(i);
         const Shown state = shown(i, scene_.end);
         balls.position[i] = state.position;
         balls.velocity[i] = state.velocity;
@@ -259,7 +261,11 @@ template <typename Real>
 void WorldSync<Real>::write_spins(World& world) {
     const std::size_t count = trajectories_.spins().size();
     Balls& balls = SolverAccess(world).balls();
-    if constexpr (std::is_same_v<Real, double>) stored_in(world).spins.resize(count);
+    std::vector<StoredSpin>* stored = nullptr;
+    if constexpr (std::is_same_v<Real, double>) {
+        stored = &stored_in(world).spins;
+        stored->resize(count);
+    }
     for (std::uint32_t i = 0; i < count; ++i) {
         if (has_kept_spin(i)) continue;
         balls.spin[i] = balls_[i].line.motion == Motion::held
@@ -267,7 +273,7 @@ void WorldSync<Real>::write_spins(World& world) {
                             : static_cast<double>(trajectories_.spin_at(i, scene_.end));
         if constexpr (std::is_same_v<Real, double>) {
             const SpinTrajectory<Real>& turn = trajectories_.spin(i);
-            stored_in(world).spins[i] = {turn.time, turn.spin, turn.rate, turn.rolls};
+            (*stored)[i] = {turn.time, turn.spin, turn.rate, turn.rolls};
         }
     }
     if (world.model().cloth) write_rolls(world);
@@ -281,9 +287,9 @@ bool WorldSync<Real>::is_roll_unchanged(std::uint32_t ball) const {
 
 template <typename Real>
 void WorldSync<Real>::write_rolls(World& world) const {
-    for (std::uint32_t i = 0; i < balls_.size(); ++i)
-        if (!has_lain_still(i))
-            SolverAccess(world).balls().roll[i] = Vec2(trajectories_.roll_at(i, scene_.end));
+    Balls& balls = SolverAccess(world).balls();
+    for (const std::uint32_t i : moving_)
+        balls.roll[i] = Vec2(trajectories_.roll_at(i, scene_.end));
 }
 
 // The balls in dense clusters, for the hybrid step.

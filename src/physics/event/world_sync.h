@@ -135,6 +135,7 @@ class WorldSync {
     bool is_rebuilt_ = false;
     bool is_unchanged_ = false;  ///< nobody has moved or pushed a ball since the last tick
     std::vector<std::uint32_t> changed_;
+    std::vector<std::uint32_t> moving_;    ///< balls that `write_states` has written
     std::vector<std::uint8_t> is_kept_;    ///< by ball: its stored trajectory holds
     std::vector<std::int64_t> spin_from_;  ///< by ball: index of its stored spin; -1: none
 };

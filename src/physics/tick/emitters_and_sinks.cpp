@@ -118,7 +118,7 @@ void SinkDrain::drain(World& world) {
     const Balls& balls = world.balls();
     std::size_t first = 0;
     while (first < balls.size() &&
-           (across_.contains(balls.position[first].x) || along_.contains(balls.position[first].y)))
+           (along_.contains(balls.position[first].y) || across_.contains(balls.position[first].x)))
         ++first;
     if (first == balls.size()) return;
     std::vector<std::uint8_t> gone;
