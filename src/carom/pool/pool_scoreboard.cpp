@@ -30,14 +30,16 @@ PoolPanel::Player player_of(const PoolPlay& play, int player, const PlayerNames&
     return shown;
 }
 
-// Its score, and its cue ball, where each player has one.
+// Its score, and where each player has a cue ball, that and the inning.
 PoolPanel::Player player_of(const Scene& scene, const ShotsState& shots, std::uint32_t player,
                             const PlayerNames& names) {
     PoolPanel::Player shown;
     shown.name = names[player];
     shown.frames = shots.players[player].score;
     const std::vector<Cue>& cues = scene.pool.cues;
+    const std::uint32_t innings = shots.players[player].innings;
     if (cues.size() > 1) shown.group = cue_name(scene, cues[player % cues.size()]);
+    if (cues.size() > 1 && innings > 0) shown.group += fmt::format(", inning {}", innings);
     shown.is_turn = shots.rules.player == player && !shots.is_over;
     return shown;
 }
