@@ -135,8 +135,9 @@ void check_gaps(const std::vector<StartingBall>& balls, const ResolvedNames& nam
             fmt::format("no ball can pass the gap of {}{} to the edge of line {}",
                         written(gap.width, Measure::length, context.unit), symbol(context.unit),
                         edges[gap.b].origin.span().line),
-            fmt::format("close it, or make it wider than the smallest ball, {}{}",
-                        written(diameter, Measure::length, context.unit), symbol(context.unit)));
+            fmt::format(
+                "close it, make it wider than the smallest ball, {}{}, or write edge ... tight",
+                written(diameter, Measure::length, context.unit), symbol(context.unit)));
     }
 }
 

@@ -152,6 +152,7 @@ void add_polyline(std::vector<Corner> corners, bool is_closed, const Arguments& 
     const double radius = arguments.number_or("r", 0.0);
     const int binding = bind_edges(shape_binding(arguments), context);
     const int chain = begin_chain(closes, context, is_smooth || fillet > 0.0);
+    if (arguments.flag("tight")) context.ir.chains.back().has_gaps = false;
     const std::size_t pieces = closes ? corners.size() : corners.size() - 1;
     for (std::size_t i = 0; i < pieces; ++i) {
         const Corner& end = corners[(i + 1) % corners.size()];
@@ -232,18 +233,18 @@ std::vector<Statement> shape_statements() {
     const KeyRule side{"side", word};
     return {
         {.name = "edge",
-         .usage = "edge [MATERIAL] [NAME] X,Y X,Y ... [r=] [close] [smooth] [fillet=] "
-                  "[side=left|right] [material=] [name=] [color=]",
+         .usage = "edge [MATERIAL] [NAME] X,Y X,Y ... [r=] [close] [smooth] [tight] "
+                  "[fillet=] [side=left|right] [material=] [name=] [color=]",
          .action = build_edge,
          .plain_most = 2,
          .points_least = 2,
          .points_most = many,
          .keys = {keys::edge_radius, fillet, side, keys::material, keys::name, keys::color},
-         .flags = {"close", "smooth"},
+         .flags = {"close", "smooth", "tight"},
          .binds_names = true},
         {.name = "arc",
-         .usage = "arc [MATERIAL] [NAME] at=X,Y radius= [from=] [to=] [r=] [side=left|right] "
-                  "[material=] [name=] [color=]",
+         .usage = "arc [MATERIAL] [NAME] at=X,Y radius= [from=] [to=] [r=] [tight] "
+                  "[side=left|right] [material=] [name=] [color=]",
          .action = build_arc,
          .plain_most = 2,
          .keys = {keys::at,
@@ -255,6 +256,7 @@ std::vector<Statement> shape_statements() {
                   keys::material,
                   keys::name,
                   keys::color},
+         .flags = {"tight"},
          .binds_names = true},
         {.name = "peg",
          .usage = "peg [MATERIAL] [NAME] at=X,Y r= [material=] [name=] [color=]",
