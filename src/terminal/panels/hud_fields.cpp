@@ -69,7 +69,8 @@ HudField drift_field(std::string_view label, double drift, int rank, const Look&
 
 // "2817 of 3141", "5.9871 of 6", "0.4 < 0.5": green once the value is as expected.
 HudField check_field(const HudCheck& check, int rank, const Look& look) {
-    const std::string value = fmt::format("{:.8g}", check.value);
+    const std::string value =
+        check.is_exact ? fmt::format("{:.8g}", check.value) : fmt::format("{:.5g}", check.value);
     const std::string measured = check.is_exact ? fmt::format("{:.8g}", check.measured)
                                                 : fmt::format("{:.5g}", check.measured);
     const int width = check.is_exact ? columns_of(value) : std::max(7, columns_of(value));
