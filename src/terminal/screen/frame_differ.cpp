@@ -244,7 +244,11 @@ FrameDiffer::Way FrameDiffer::way_of(const Look& look, const std::optional<SgrSt
     if (best.cost <= 3 || !style || is_marked(look.style)) return best;
     const auto offer = [&](char32_t glyph, const SgrStyle& other) {
         const std::size_t cost = style_cost(style, other) + glyph_size(glyph);
-        if (cost < best.cost) best = {glyph, other, cost};
+        // At equal cost the background in force stays: in xterm a background reaches into the next
+        // cell, where that of its neighbours shows least.
+        const bool is_calmer =
+            other.background == style->background && best.style.background != style->background;
+        if (cost < best.cost || (cost == best.cost && is_calmer)) best = {glyph, other, cost};
     };
     const SgrStyle& own = look.style;
     if (look.glyph == U' ' && !is_marked(*style)) {
