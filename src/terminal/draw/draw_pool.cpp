@@ -168,7 +168,9 @@ void paint_pool(Raster& raster, const View& view) {
     const PoolAnnotations& pool = *view.annotations.pool;
     const Look& look = view.options.look;
     const Ink strong = ink_of(Role::cue, look);
-    const Ink text = ink_of(Role::text, look);
+    // On cloth, which is dark in every theme. Without shades there is no cloth.
+    const bool is_on_cloth = look.light_background && look.has_shades();
+    const Ink text = ink_of(is_on_cloth ? Role::stripe_white : Role::text, look);
     const double radius = view.world.balls().size() > 0 ? view.world.balls().radius.front() : 0.0;
     for (const PoolAnnotations::Spot& spot : pool.spots) {
         const RasterPoint at = to_raster(view.camera, spot.place);
@@ -265,12 +267,17 @@ void write_numbers(Canvas& canvas, const View& view) {
                          static_cast<std::uint8_t>(is_white ? bold : bold | reverse));
             continue;
         }
-        // Stripes are white, with a number in their colour.
+        // Stripes are white, with a number in their colour, darker: the same in a light theme.
         const Color own = view.inks[*index].color;
         const Color color = is_white ? ink_of(Role::stripe_white, look).color : own;
         constexpr double legible = 0.7;
+        Look dark = look;
+        if (look.light_background) {
+            dark.light_background = false;
+            dark.ground.reset();
+        }
         const Color ink =
-            is_white && look.has_shades() ? dimmed(own, legible, look) : text_color_on(color, look);
+            is_white && look.has_shades() ? dimmed(own, legible, dark) : text_color_on(color, look);
         canvas.write(first, row, text, ink, color, bold);
     }
 }

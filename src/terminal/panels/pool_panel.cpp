@@ -37,9 +37,14 @@ int write_ball(Canvas& canvas, int column, int row, int number, const Look& look
 // From the middle of the ball to its rim, the tip moves further than to scale: so it shows.
 constexpr double tip_scale = 1.4;
 
+// White on a white page would not be seen.
+Ink ball_ink(const Look& look) {
+    return look.light_background ? ink_of(Role::faint, look) : ink_of_pool_ball(0, look);
+}
+
 // In characters, three rows of five.
 void write_tip(Canvas& canvas, const CellArea& area, const PoolPanel::Tip& tip, const Look& look) {
-    const Color white = ink_of_pool_ball(0, look).color;
+    const Color white = ball_ink(look).color;
     const int column = area.column + (area.columns - 5) / 2;
     int row = area.row;
     for (const std::string_view text : {" .-. ", "(   )", " '-' "})
@@ -66,7 +71,7 @@ void draw_tip(Canvas& canvas, const CellArea& area, const PoolPanel::Tip& tip,
     const RasterPoint middle{middle_of(raster.samples_across(), width),
                              middle_of(raster.samples_down(), height)};
     const double radius = std::min(middle.x, middle.y);
-    const Ink white = ink_of_pool_ball(0, look);
+    const Ink white = ball_ink(look);
     const RasterPoint at{middle.x + tip_scale * radius * tip.side,
                          middle.y - tip_scale * radius * tip.follow};
     if (renderer.has_pixels()) {
