@@ -11,6 +11,7 @@
 #include "carom/files/level_source.h"
 #include "carom/files/print.h"
 #include "carom/play/player.h"
+#include "carom/pool/pool_status.h"
 #include "terminal/canvas/own_ground.h"
 #include "terminal/screen/picture_text.h"
 
@@ -96,7 +97,9 @@ int picture(const PictureOptions& options) {
     const auto ticks_in = [&](double seconds) {
         return static_cast<std::uint64_t>(std::llround(seconds * rate));
     };
-    const std::uint64_t end = ticks_in(options.time);
+    // A game by a level's own rules begins in its first tick; a player sees nothing before that.
+    const std::uint64_t begin = shots_of(game.session) ? 1 : 0;
+    const std::uint64_t end = std::max(begin, ticks_in(options.time));
     if (!options.demo)
         while (game.session.world().tick() + ticks_in(filmed) < end)
             if (!game.session.step_forward()) break;

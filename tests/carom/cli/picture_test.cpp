@@ -117,6 +117,25 @@ TEST_CASE("carom picture writes what the screen would show, as text, ANSI or SVG
     CHECK(content(file).ends_with("</svg>\n"));
 }
 
+TEST_CASE("the first picture of a game by a level's own rules is of its first turn") {
+    const TemporaryFolder folder;
+    const std::string level = folder.file("golf.level",
+                                          "carom 1 \"Golf\"\n"
+                                          "use cloth slide=0.2 roll=0.01 spin=10 g=9.81\n"
+                                          "world 0,0 10,5\n"
+                                          "ball white at=5,2 r=0.2\n"
+                                          "pocket cup at=9,4 r=0.3\n"
+                                          "cue ball=white power=0..5\n"
+                                          "game shots\n"
+                                          "var par\n"
+                                          "on turn begins  par 3\n"
+                                          "on white pocketed  end\n"
+                                          "task \"PAR {par}\" if par=3\n");
+    const auto drawn = run_carom({"picture", level, "--format", "text"});
+    CAPTURE(drawn.err);
+    CHECK(has(drawn.out, "PAR 3"));
+}
+
 TEST_CASE("carom picture says what is wrong, and leaves no file behind") {
     const TemporaryFolder folder;
     const std::string level = folder.file("bad.level", "carom 1 \"Bad\"\nbal a\n");
