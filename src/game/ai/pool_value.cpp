@@ -14,6 +14,32 @@ constexpr double value_of_choosing = 0.5;
 constexpr double value_of_ball = 0.06;
 constexpr double value_of_break = 0.1;
 
+// Where each player has a pocket: of a ball in its mouth, and the distance from there at which half
+// of that is left, in widths of the cloth.
+constexpr double value_of_near_ball = 0.04;
+constexpr double near = 0.2;
+
+// What it is worth to the player whose turn it is that balls lie near the own pocket rather than
+// near the opponent's. 0 where all pockets serve both.
+double nearness(const Scene& scene, const World& world, const PoolPlay& play, const Box& cloth) {
+    const PoolState& rules = play.rules;
+    const auto own = rules.referee->pocket_of(rules, rules.player);
+    const auto other = rules.referee->pocket_of(rules, 1 - rules.player);
+    if (!own || !other) return 0.0;
+    const double reach = near * std::min(size(cloth).x, size(cloth).y);
+    const auto worth = [&](Vec2 place, int pocket) {
+        return value_of_near_ball /
+               (1.0 + length_squared(place - mouth(scene, cloth, pocket)) / (reach * reach));
+    };
+    double sum = 0.0;
+    for (std::size_t ball = 1; ball < play.balls.size(); ++ball) {
+        if (!play.balls[ball]) continue;
+        const Vec2 place = world.balls().position[*index_of(world, *play.balls[ball])];
+        sum += worth(place, *own) - worth(place, *other);
+    }
+    return sum;
+}
+
 }  // namespace
 
 double pot_chance(const PotLine& line, double bearing_error) {
@@ -43,7 +69,8 @@ Outlook outlook(const Scene& scene, const World& world, const PoolPlay& play, co
                 double bearing_error) {
     const PoolState& rules = play.rules;
     if (rules.winner) return {*rules.winner == rules.player ? 1.0 : -1.0, std::nullopt, 0.0};
-    const double ahead = value_of_ball * rules.referee->lead(rules);
+    const double ahead =
+        value_of_ball * rules.referee->lead(rules) + nearness(scene, world, play, cloth);
     if (rules.phase == PoolPhase::breaking) {
         const double value = rules.referee->breaks_hard() ? value_of_break : -value_of_break;
         return {std::clamp(value + ahead, -0.95, 0.95), std::nullopt, 0.0};

@@ -65,8 +65,8 @@ class OnePocket final : public Referee {
 
     bool may_hit_first(const PoolState&, int) const override { return true; }
 
-    bool may_pocket(const PoolState& state, int pocket) const override {
-        return pocket == own_pocket(state, state.player);
+    std::optional<int> pocket_of(const PoolState& state, int player) const override {
+        return own_pocket(state, player);
     }
 
     std::string_view why_no_call(const PoolState&, PoolCall::Kind) const override {

@@ -31,8 +31,13 @@ const Referee* referee_of(std::string_view game) {
 
 void Referee::begin(PoolState&) const {}
 
-bool Referee::may_pocket(const PoolState&, int) const {
-    return true;
+std::optional<int> Referee::pocket_of(const PoolState&, int) const {
+    return std::nullopt;
+}
+
+bool Referee::may_pocket(const PoolState& state, int pocket) const {
+    const auto only = pocket_of(state, state.player);
+    return !only || *only == pocket;
 }
 
 bool Referee::needs_sight() const {

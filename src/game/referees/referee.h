@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,8 +39,10 @@ class Referee {
     virtual void begin(PoolState& state) const;
     /// Whether the player whose turn it is may hit this ball first.
     virtual bool may_hit_first(const PoolState& state, int ball) const = 0;
-    /// Whether pocketing a ball in this pocket serves the player whose turn it is. Usually yes.
-    virtual bool may_pocket(const PoolState& state, int pocket) const;
+    /// The only pocket in which balls count for this player. By default none: any pocket serves.
+    virtual std::optional<int> pocket_of(const PoolState& state, int player) const;
+    /// Whether pocketing a ball in this pocket serves the player whose turn it is.
+    bool may_pocket(const PoolState& state, int pocket) const;
     /// Why a pot or a safety cannot be called for the next shot, as a sentence; empty if it can.
     /// Pre: the phase is breaking or playing; `kind` is one of the two.
     virtual std::string_view why_no_call(const PoolState& state, PoolCall::Kind kind) const = 0;
