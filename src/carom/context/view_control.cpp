@@ -5,6 +5,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "physics/broad_phase/cell_frame.h"
+
 namespace carom {
 namespace {
 

@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "terminal/canvas/camera.h"
+
 /// Overlays are drawn over the picture of a world, or under its bodies. An overlay is a row of the
 /// table in overlays.cpp, a function there, and a row in the table of actions
 /// (carom/controllers/action_table.cpp), which has its key and its help. Data that it needs beyond
