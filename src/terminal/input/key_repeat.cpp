@@ -60,7 +60,7 @@ KeyRepeat::Meaning KeyRepeat::meaning_of(char32_t key, double gap) const {
         return is_repeat ? Meaning::repeat : Meaning::press;
     };
     if (gap < too_fast_for_a_finger) return Meaning::repeat;
-    if (repeats_ > 0) return repeat_if(gap < longest_gap);
+    if (repeats_ > 0) return repeat_if(gap < longest_repeat_gap());
     if (!times_) return repeat_if(gap > least_delay && gap < most_delay);
     return repeat_if(std::abs(gap - times_->delay) < margin());
 }
@@ -83,6 +83,12 @@ bool KeyRepeat::learn(double gap) {
     times_ = {is_same ? std::max(delay, 0.5 * (delay + times_->delay)) : delay, period};
     is_observed_ = true;
     return true;
+}
+
+// Twice the margin: a finger that comes back within 0.3 s must not be taken for a repeat, which
+// would hold its button for a moment only.
+double KeyRepeat::longest_repeat_gap() const {
+    return times_ ? std::min(longest_gap, times_->period + 2.0 * margin()) : longest_gap;
 }
 
 double KeyRepeat::margin() const {

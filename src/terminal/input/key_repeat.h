@@ -45,6 +45,7 @@ class KeyRepeat {
   private:
     Meaning meaning_of(char32_t key, double gap) const;
     bool learn(double gap);
+    double longest_repeat_gap() const;
     double margin() const;
 
     std::optional<KeyRepeatTimes> times_;

@@ -95,6 +95,20 @@ TEST_CASE("once the terminal is known, quick taps are presses") {
     }
 }
 
+TEST_CASE("a key that was held and is pressed again 0.2 s later may be held as long as any") {
+    const Terminal xterm{"xterm", 0.66, 1.0 / 25.0};
+    KeyRepeat keys;
+    const std::vector<double> times = arrivals(xterm, 1.0, 2.0);
+    for (const double time : times)
+        keys.take(U'z', time);
+    const double again = times.back() + 0.2;
+    CHECK(keys.take(U'z', again) == press);
+    CHECK(keys.may_be_held_until() > again + xterm.delay);
+    // A repeat that is late by a period is none.
+    CHECK(keys.take(U'z', again + xterm.delay) == repeat);
+    CHECK(keys.take(U'z', again + xterm.delay + 2.0 * xterm.period) == repeat);
+}
+
 TEST_CASE("what was remembered of another terminal is replaced after one hold") {
     for (const Terminal& before : terminals)
         for (const Terminal& now : terminals) {
