@@ -82,6 +82,7 @@ struct Solver::State {
     std::vector<Contact> pressing;
     std::vector<std::uint8_t> touched;
     std::vector<BallId> standing;
+    std::size_t standing_seesaws = 0;
     TickUndo undo;
     HandStep hands;
     MoverStep movers;
@@ -157,6 +158,9 @@ std::span<const Contact> Solver::pressing() const {
 std::span<const BallId> Solver::standing() const {
     return state_->standing;
 }
+std::size_t Solver::standing_seesaws() const {
+    return state_->standing_seesaws;
+}
 const CellFrame& Solver::cells() const {
     return state_->method->cells();
 }
@@ -171,6 +175,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     const bool has_movers = state.movers.begin(world);
     const bool has_hands = state.hands.begin(world);
     state.standing.clear();
+    state.standing_seesaws = 0;
     const std::function<bool()> never_asked;
     const std::function<bool()>& asked = can_cancel ? keep_going : never_asked;
     const TickOutcome outcome = has_hands || has_movers
@@ -184,6 +189,7 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     }
     name_standing(world, state.method->standing(), state.standing);
     rest_flippers(world);
+    state.standing_seesaws = count_standing_seesaws(world);
     keep_seesaws(world);
     if (!state.standing.empty()) stall_flippers(world);
     stop_slow_balls(world, state.touched);
@@ -195,7 +201,8 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
     wrap_points(world.model().wrap, state.contacts);
     wrap_points(world.model().wrap, state.pressing);
     state.sinks.drain(world);
-    return state.standing.empty() ? outcome : TickOutcome::stood_still;
+    return state.standing.empty() && state.standing_seesaws == 0 ? outcome
+                                                                 : TickOutcome::stood_still;
 }
 
 }  // namespace carom

@@ -43,7 +43,8 @@ SolverPick pick_solver(const World& world);
 enum class TickOutcome : std::uint8_t {
     done,
     cancelled,  ///< `keep_going` said so: the world is as it was before the tick
-    /// Done, but for some balls (Solver::standing) time stood still for a part of the tick.
+    /// Done, but for some balls (Solver::standing) or seesaws time stood still for a part of the
+    /// tick.
     stood_still
 };
 
@@ -83,6 +84,8 @@ class Solver {
     /// was reached (tick/work_budget.h), or the solver could follow their paths no further
     /// (docs/physics.md). They have kept their velocities. Valid until the next tick.
     std::span<const BallId> standing() const;
+    /// For how many seesaws time stood still in a part of the last tick: world/seesaw.h.
+    std::size_t standing_seesaws() const;
 
     /// The cells in which the last tick looked for neighbours; one cell before the first tick.
     const CellFrame& cells() const;

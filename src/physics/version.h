@@ -42,6 +42,10 @@ namespace carom {
 ///   by those that do not. Walls hold such balls, though another edge is one-way.
 /// - `event`: what sinks in deeper than position correction opens goes to `contact`. Time stands
 ///   still for balls that are too fast for the rounding of time.
+/// - Seesaws: a stop ends the search of `event`. Under `contact` one that bounces may meet both
+/// stops
+///   in a substep. Under `swept` no ball rests on a fast one. Under `event` a hand that presses a
+///   ball on one yields.
 /// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
 inline constexpr int physics_version = 3;
 

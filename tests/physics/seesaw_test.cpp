@@ -217,6 +217,68 @@ TEST_CASE("seesaw: it bounces at its stops") {
     }
 }
 
+TEST_CASE("seesaw: time stands still for one that bounces too often in a tick, or turns too fast") {
+    // 256 bounces between stops 0.5 apart are 128 rad: at 240 ticks a second, some 30,720 rad/s.
+    const auto least_bounced = 128.0 * 240.0;
+    for (const SolverKind kind : turning_solvers()) {
+        for (const double rate : {0.9 * least_bounced, 1e9, 1e12, 1e18}) {
+            CAPTURE(static_cast<int>(kind));
+            CAPTURE(rate);
+            World world = plank(
+                {.inertia = 2.0, .least = 0.0, .most = 0.5, .stop_restitution = 1.0, .rate = rate});
+            add_ball(world, {.position = {0.0, 2.5}, .velocity = {1.0, 0.0}, .radius = 0.25});
+            Solver solver({.kind = kind});
+            const bool stands = rate > least_bounced;
+            for (int tick = 0; tick < 3; ++tick) {
+                const TickOutcome outcome = solver.tick(world);
+                CHECK(solver.standing_seesaws() == (stands ? 1 : 0));
+                CHECK((outcome == TickOutcome::stood_still) == stands);
+            }
+            CHECK(std::fabs(seesaw_in(world).rate) == rate);
+            CHECK(seesaw_in(world).bounces == 0);
+            CHECK(world.balls().position[0].x == doctest::Approx(3.0 / 240.0));
+        }
+    }
+}
+
+TEST_CASE("seesaw: a ball that a hand presses against one at its stop ends its tick") {
+    for (const SolverKind kind : turning_solvers()) {
+        CAPTURE(static_cast<int>(kind));
+        World world = plank(
+            {.inertia = 2.0, .least = -0.2, .most = 0.2, .stop_restitution = 1.0, .rate = 0.5});
+        add_ball(world, {.position = {1.0, 1.0}, .radius = 0.25});
+        hold(world, {.id = world.balls().id[0], .target = {1.0, -1.0}});
+        Solver solver({.kind = kind});
+        for (int tick = 0; tick < 120; ++tick)
+            solver.tick(world);
+        CHECK(world.balls().position[0].y > 0.0);
+        CHECK(depth_in_seesaw(world, 0) < 0.02 * 0.25);
+        CHECK(std::fabs(seesaw_in(world).angle) <= 0.2);
+    }
+}
+
+// Following a fast edge was one more push, which fed it.
+TEST_CASE("seesaw: heavy balls on a fast light one give and gain no energy") {
+    for (const SolverKind kind : turning_solvers()) {
+        CAPTURE(static_cast<int>(kind));
+        World world = plank(
+            {.inertia = 0.01, .least = 0.0, .most = 0.5, .stop_restitution = 1.0, .rate = 100.0});
+        world.edit_definition().materials[0].restitution = 0.6;
+        world.edit_definition().model.inelastic = true;
+        world.edit_definition().rate = 60.0;
+        pull_down(world);
+        add_ball(world, {.position = {0.3, 0.6}, .radius = 0.4, .mass = 1000.0});
+        add_ball(world, {.position = {-0.9, 0.9}, .radius = 0.4, .mass = 1000.0});
+        Solver solver({.kind = kind});
+        const double before = totals(world).energy() + 0.5 * 0.01 * 100.0 * 100.0;
+        for (int tick = 0; tick < 60; ++tick) {
+            solver.tick(world);
+            const double rate = seesaw_in(world).rate;
+            CHECK(totals(world).energy() + 0.5 * 0.01 * rate * rate <= 1.01 * before);
+        }
+    }
+}
+
 TEST_CASE("seesaw: a stop carries the load") {
     for (const SolverKind kind : turning_solvers()) {
         CAPTURE(static_cast<int>(kind));

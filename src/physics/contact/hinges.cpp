@@ -50,11 +50,12 @@ void ContactHinges::list_stops() {
         if (!edges[i].is_seesaw) continue;
         const Seesaw& seesaw = edges[i].seesaw;
         const double arm = fastest_point(seesaw) / std::max(std::fabs(seesaw.rate), 1e-300);
+        // At either stop: it may reach one, and from there the other, within the substep.
+        const bool bounces =
+            seesaw.stop_restitution > 0.0 && std::fabs(seesaw.rate) * arm > step_.rest_speed;
         for (const double direction : {1.0, -1.0}) {
             const double gap =
                 direction > 0.0 ? seesaw.most - seesaw.angle : seesaw.angle - seesaw.least;
-            const bool bounces =
-                seesaw.stop_restitution > 0.0 && seesaw.rate * direction * arm > step_.rest_speed;
             if (std::isfinite(gap) && !bounces)
                 stops_.push_back({.edge = i,
                                   .direction = direction,

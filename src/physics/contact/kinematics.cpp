@@ -43,6 +43,7 @@ void ContactKinematics::begin_substep(const World& world, const ContactSubstep& 
         if (edge.is_seesaw) {
             edge.seesaw = world.seesaws()[*seesaw_of(world, edge.seesaw.capsule)];
             edge.since = 0.0;
+            if (is_standing(edge.seesaw)) edge.stop(0.0);
         }
         aim(edge, world, per_second(balls_.size() + i));
     }

@@ -222,7 +222,7 @@ void WorldSync<Real>::write(World& world, bool has_stopped) {
     access.balls().edge_contacts = scatter_counts_;
     if (world.model().spin) write_spins(world);
     for (const KinematicEdge<Real>& moved : kinematic_.edges()) {
-        if (moved.is_seesaw()) {
+        if (moved.seesaw != KinematicEdge<Real>::no_seesaw) {
             const Seesaw seesaw = kinematic_.seesaw_at(moved, scene_.end);
             world.edit_seesaws()[moved.seesaw] = seesaw;
             access.capsules().shape[moved.capsule] = seesaw_shape(seesaw, seesaw.angle);

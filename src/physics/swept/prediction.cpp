@@ -143,7 +143,11 @@ void SweptPrediction::predict_edge(const World& world, std::uint32_t ball, std::
     }
     const double left = step_.duration - now;
     const bool is_moving = edge && !edge->is_stopped();
-    const auto impact = is_moving ? impact_with_moving_edge(disc, velocity, shape, *edge, left)
+    // At the stop of a seesaw every prediction is void.
+    const auto horizon = [&] {
+        return edge->is_seesaw ? std::min(left, std::max(0.0, edge->time_of_stop() - now)) : left;
+    };
+    const auto impact = is_moving ? impact_with_moving_edge(disc, velocity, shape, *edge, horizon())
                                   : first_impact(disc, velocity, shape, left);
     if (!impact || (!edge && is_noise(*impact, velocity, {}, step_.rest_speed))) return;
     if (terms.special() && world.model().one_way &&

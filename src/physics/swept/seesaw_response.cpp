@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "physics/laws/contact_material.h"
 #include "physics/laws/hinge.h"
 #include "physics/swept/response.h"
@@ -34,7 +36,8 @@ Contact contact_of(const SweptEvent& event, Vec2 point, double approach, double 
 // A ball whose flight after the bounce would lead back before the substep ends rests: what presses
 // it for the rest of the substep acts at once, on the ball and through it on the seesaw. Then the
 // ball follows the edge. That loses energy, as a step of Euler's method does that takes the
-// velocity first.
+// velocity first. Where the edge turns so fast that following it takes more than a few times
+// gravity, the ball bounces and does not rest: at once, that much would feed the seesaw.
 SweptOutcome SweptResponse::collide_seesaw(World& world, const SweptEvent& event,
                                            const HeldEdge& edge) {
     const std::uint32_t ball = event.ball;
@@ -63,15 +66,18 @@ SweptOutcome SweptResponse::collide_seesaw(World& world, const SweptEvent& event
     Exchange exchange{0.0, approach};
     if (approach > 0.0) exchange = bounce_on_hinge(impact, restitution);
     bool is_resting = false;
+    double follow = 0.0;
     if (!is_held) {
         const Vec2 chord = paths_.chord_velocity(world, ball, velocity, step_.gravity, now);
         is_resting = dot(chord, normal) < seesaw.rate * impact.lever ||
                      (restitution < 1.0 && approach < step_.rest_speed);
+        follow = following(edge.seesaw_at(now), point + normal * radius, start, normal);
+        if (std::abs(follow) > swept_tolerance::seesaw_following * length(step_.gravity))
+            is_resting = false;
     }
     if (is_resting) {
         velocity = start;
         seesaw.rate = rate;
-        const double follow = following(seesaw, point + normal * radius, velocity, normal);
         const double pull = std::min(0.0, dot(paths_.gravity_on(ball), normal) - follow);
         velocity += normal * (pull * (step_.duration - now));
         exchange.impulse = 0.0;

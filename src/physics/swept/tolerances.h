@@ -16,6 +16,7 @@
 /// | resting_approach     | 1.5   | g h (gravity over a substep)   | low bounces are lost / resting balls cost ever more impacts |
 /// | resting_restitution  | 1e-6  | share of the approach          | resting balls hop / rounding makes them meet again |
 /// | seesaw_restitution   | 0.01  | share of the approach          | balls hop on seesaws / they meet the turning edge again and freeze |
+/// | seesaw_following     | 4     | gravity                        | a fast light seesaw gains energy / balls hop on seesaws that turn |
 /// | rounding             | 1e-14 | share of the speeds            | slow contacts are lost / rounding counts as contact |
 /// | most_resting_impacts | 16    | of a ball in a substep         | piles cost more / sliding balls freeze |
 /// | budget               | 12500 | tests of a pair, by ball and tick | ticks of 10 s / time stands still in jams and tubes |
@@ -35,6 +36,9 @@ inline constexpr double resting_restitution = 1e-6;
 /// A ball that comes to rest on a seesaw separates at this share of its approach. x10: it hops
 /// visibly; /10: as the edge turns it meets the edge again in the substep, and freezes.
 inline constexpr double seesaw_restitution = 0.01;
+/// A ball rests on a seesaw only where following it takes an acceleration of at most this many
+/// times gravity.
+inline constexpr double seesaw_following = 4.0;
 /// An approach slower than this share of the speeds of two bodies that touch, and of what gravity
 /// gives, is rounding.
 inline constexpr double rounding = 1e-14;

@@ -20,6 +20,7 @@ void list_kinematic_edges(const World& world, std::vector<HeldEdge>& edges) {
         if (const auto seesaw = seesaw_of(world, world.held_capsules()[edge.held].id)) {
             edge.is_seesaw = true;
             edge.seesaw = world.seesaws()[*seesaw];
+            if (is_standing(edge.seesaw)) edge.stop(0.0);
         }
 }
 
@@ -46,6 +47,7 @@ void bounce_at_stops(std::span<HeldEdge> edges, double now) {
         Seesaw bounced = edge.seesaw;
         bounce_at_stop(bounced);
         edge.turn(bounced, now);
+        if (is_standing(bounced)) edge.stop(now);
     }
 }
 

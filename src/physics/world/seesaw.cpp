@@ -52,11 +52,26 @@ void release_seesaws(World& world) {
                      .end_target = shape.end,
                      .is_seesaw = true});
     }
+    const auto is_too_fast = [&](const Seesaw& seesaw) {
+        return std::fabs(seesaw.rate) * world.tick_length() > most_turning_in_a_tick;
+    };
+    if (std::ranges::none_of(world.seesaws(), is_too_fast)) return;
+    for (Seesaw& seesaw : world.edit_seesaws())
+        if (is_too_fast(seesaw)) seesaw.bounces = most_bounces_at_stops + 1;
 }
 
 void keep_seesaws(World& world) {
-    if (!world.seesaws().empty())
-        std::erase_if(world.edit_held_capsules(), &HeldCapsule::is_seesaw);
+    if (world.seesaws().empty()) return;
+    std::erase_if(world.edit_held_capsules(), &HeldCapsule::is_seesaw);
+    if (std::ranges::all_of(world.seesaws(),
+                            [](const Seesaw& seesaw) { return seesaw.bounces == 0; }))
+        return;
+    for (Seesaw& seesaw : world.edit_seesaws())
+        seesaw.bounces = 0;
+}
+
+std::size_t count_standing_seesaws(const World& world) {
+    return static_cast<std::size_t>(std::ranges::count_if(world.seesaws(), is_standing));
 }
 
 double fastest_point(const Seesaw& seesaw) {
@@ -66,17 +81,19 @@ double fastest_point(const Seesaw& seesaw) {
 }
 
 double time_to_stop(const Seesaw& seesaw) {
-    if (seesaw.rate == 0.0) return std::numeric_limits<double>::infinity();
+    if (seesaw.rate == 0.0 || is_standing(seesaw)) return std::numeric_limits<double>::infinity();
     const double left = (seesaw.rate > 0.0 ? seesaw.most : seesaw.least) - seesaw.angle;
     return std::max(0.0, left / seesaw.rate);
 }
 
 void turn_on(Seesaw& seesaw, double duration) {
+    if (is_standing(seesaw)) return;
     seesaw.angle = std::clamp(seesaw.angle + seesaw.rate * duration, seesaw.least, seesaw.most);
 }
 
 void bounce_at_stop(Seesaw& seesaw) {
     seesaw.angle = seesaw.rate > 0.0 ? seesaw.most : seesaw.least;
+    ++seesaw.bounces;
     // A zero of either sign is one zero: a fingerprint sees the difference.
     seesaw.rate = 0.0 - seesaw.stop_restitution * seesaw.rate;
 }

@@ -64,6 +64,7 @@ bool pushes_without_end(const ImpactCluster<Real>& cluster, const BallTable<Real
         const std::uint32_t ball = cluster.bodies()[point.contact.a].ball;
         const bool is_kinematic =
             (point.kind == EventKind::kinematic_edge && !point.contact.is_hinged) ||
+            (point.kind == EventKind::kinematic_edge && is_held(ball)) ||
             (point.kind == EventKind::ball_ball && (is_held(ball) || is_held(point.other)));
         return is_kinematic &&
                (is_jammed || balls[ball].line.recent_collisions > most_recent_collisions);

@@ -43,10 +43,13 @@ template <typename Real>
 void KinematicBodies<Real>::set_motion(KinematicEdge<Real>& edge, const Seesaw& seesaw) {
     seesaws_[edge.seesaw] = seesaw;
     edge.edge.edge = Edge<Real>(seesaw_shape(seesaw, seesaw.angle), {});
-    edge.edge.is_hinged = true;
+    edge.is_standing = is_standing(seesaw);
+    edge.is_stopped = edge.is_standing;
+    edge.edge.is_hinged = !edge.is_standing;
     edge.edge.pivot = Vector<Real>(seesaw.pivot);
     edge.edge.rate = Real(seesaw.rate);
     edge.edge.time = scene_.now;
+    if (edge.is_standing) edge.edge.stop = scene_.now;
 }
 
 template <typename Real>

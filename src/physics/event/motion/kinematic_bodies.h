@@ -21,8 +21,10 @@ struct KinematicEdge {
     bool is_stopped = false;  ///< within the tick: it is where it was then
     MovingEdge<Real> edge;
     std::uint32_t seesaw = no_seesaw;  ///< index into World::seesaws
+    bool is_standing = false;          ///< the seesaw: time stands still for it
 
-    bool is_seesaw() const { return seesaw != no_seesaw; }
+    /// Whether balls turn it: the edge of a seesaw for which time stands still is an obstacle.
+    bool is_seesaw() const { return seesaw != no_seesaw && !is_standing; }
 };
 
 /// The kinematic bodies of the solver `event`: balls and edges that something outside of the

@@ -292,7 +292,8 @@ void Predictor<Real>::predict_kinematic_edges(std::uint32_t ball, BallEvent<Real
     for (std::uint32_t i = 0; i < kinematic_.edges().size(); ++i) {
         const KinematicEdge<Real>& edge = kinematic_.edges()[i];
         if (!scene_.ball_collides_with(ball, edge.capsule)) continue;
-        const Real horizon = scene_.end < best.time ? scene_.end : best.time;
+        // At the stop of a seesaw every prediction is outdated.
+        const Real horizon = lesser(lesser(scene_.end, kinematic_.next_stop()), best.time);
         const Real begin = trajectory.time < scene_.now ? scene_.now : trajectory.time;
         const auto time = moving_edge_time_of_impact(trajectory, edge.edge, balls_.radius(ball),
                                                      scene_.field, begin, horizon, search_);
