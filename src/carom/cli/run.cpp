@@ -124,8 +124,7 @@ void Run::simulate() {
             breach_ =
                 check_->note_tick(world_, outcome == TickOutcome::stood_still, solver_.contacts());
         update_game(input_.scene, world_, game_, solver_.contacts());
-        note_tick(record_, input_.scene, world_, solver_.contacts());
-        note_standing(record_, world_, solver_.standing().size());
+        note_tick(record_, input_.scene, world_, solver_, rule_state(game_));
         outputs_.write_tick(world_, solver_);
         if (breach_) break;
         execute_due();
@@ -139,15 +138,11 @@ void Run::simulate() {
 void Run::finish(const std::string& level) {
     record_.tallies = tallies(game_);
     record_.variables = variables(input_.scene, game_);
-    if (const RuleState* rules = rule_state(game_)) {
-        record_.actions_left_out = rules->left_out;
-        record_.first_left_out = rules->first_left_out;
-    }
     if (world_.tick() == input_.ticks) note_end(record_, input_.scene, world_);
     if (runner_.remaining() > 0 && world_.tick() == input_.ticks && !input_.recording)
         print_note(fmt::format("note: {} of the commands lie after the last tick, {}\n",
                                runner_.remaining(), input_.ticks));
-    print_note(notes_text(record_, world_.rate()));
+    print_note(notes_text(record_.notes, world_.rate()));
     outputs_.write_report(report_json(level, input_.scene, world_, record_, seconds_));
     if (const Observer* observer = record_.watch.observer())
         outputs_.write_curves(curves_csv(*observer));

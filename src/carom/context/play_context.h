@@ -18,6 +18,7 @@
 #include "carom/context/pointer_tool.h"
 #include "carom/text/level_words.h"
 #include "game/session/session.h"
+#include "lab/run/notes.h"
 #include "terminal/input/key_repeat.h"
 
 /// The parts of a game in play: the data that actions and controllers work on. Each part has a
@@ -80,6 +81,7 @@ struct PlayContext {
     std::shared_ptr<PlayObserver> observation;  ///< shared with the session, never null
     ConservedReference reference;
     Messages messages;
+    TickNotes notes;  ///< of the last tick of which the player was told
     CoveringPage page;
     TerminalState terminal;
     PlayRequest request = PlayRequest::none;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -19,11 +20,15 @@ void go_to(PlayContext& play, std::uint64_t tick) {
     if (play.session.world().tick() < play.reference.tick()) set_reference(play);
 }
 
+// Play shows every kind of note that a run has.
 void tell_outcome(PlayContext& play) {
-    const std::size_t balls = play.session.standing();
-    if (balls > 0)
-        complain(play, fmt::format("Time stood still for {} ball{}: too many collisions.", balls,
-                                   balls == 1 ? "" : "s"));
+    const TickNotes before = std::exchange(
+        play.notes, notes_of_tick(play.session.world(), play.session.solver().kind,
+                                  {play.session.standing(), play.session.standing_seesaws()},
+                                  rule_state(play.session.game())));
+    // A note that lasts leaves room for other messages.
+    if (const auto note = play_note(before, play.notes))
+        if (note->has_begun || !play.messages.line()) complain(play, note->text);
 }
 
 /// Computes one tick; false at the end of a recording.

@@ -145,43 +145,6 @@ void write_expects(JsonWriter& json, const Scene& scene, const RunRecord& record
     json.end_list();
 }
 
-void write_notes(JsonWriter& json, const RunRecord& record) {
-    const StoodStill& noted = record.stood_still;
-    json.key("notes");
-    json.begin_list(Layout::lines);
-    if (record.ignores_modulus) {
-        json.begin_object(Layout::one_line);
-        json.field("kind", "ignores_modulus");
-        json.field("solver", name(record.solver.kind));
-        json.end_object();
-    }
-    if (record.actions_left_out > 0) {
-        json.begin_object(Layout::one_line);
-        json.field("kind", "actions_left_out");
-        json.field("actions", record.actions_left_out);
-        json.field("first_tick", record.first_left_out);
-        json.end_object();
-    }
-    if (record.not_held.ticks > 0) {
-        json.begin_object(Layout::one_line);
-        json.field("kind", "not_held");
-        json.field("ticks", record.not_held.ticks);
-        json.field("first_tick", record.not_held.first_tick);
-        json.field("most_balls", std::uint64_t{record.not_held.most_balls});
-        json.end_object();
-    }
-    if (noted.ticks > 0) {
-        json.begin_object(Layout::one_line);
-        json.field("kind", "stood_still");
-        json.field("ticks", noted.ticks);
-        json.field("first_tick", noted.first_tick);
-        json.field("balls", std::uint64_t{noted.balls});
-        json.field("most_balls", std::uint64_t{noted.most_balls});
-        json.end_object();
-    }
-    json.end_list();
-}
-
 void write_cost(JsonWriter& json, const RunRecord& record, double seconds) {
     const double ball_ticks = static_cast<double>(record.ball_ticks);
     json.key("cost");
@@ -226,7 +189,8 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     write_variables(json, record);
     write_expects(json, scene, record);
     write_observed(json, record.watch.observer(), world);
-    write_notes(json, record);
+    json.key("notes");
+    write_notes(json, record.notes);
     write_cost(json, record, seconds);
     json.field("fingerprint", std::string_view(hexadecimal(fingerprint(world))));
     json.end_object();

@@ -365,6 +365,20 @@ TEST_CASE("messages fade, and the problem of a watched level stays") {
     CHECK_FALSE(person.sees("error: no"));
 }
 
+TEST_CASE("play shows what a run would note, and leaves room for other messages") {
+    Scene scene = busy_box();
+    scene.world.edit_definition().model.gravity = Vec2{0.0, -1e9};
+    test::PersonAtWindow person(Session(std::move(scene), {.kind = SolverKind::contact}), 80, 24);
+    const auto shows = [](const std::string& picture) {
+        return picture.find("Too small for contact at this rate: ") != std::string::npos;
+    };
+    person.pass(0.02);
+    CHECK(shows(person.look()));
+    person.key(U't');
+    person.pass(0.02);
+    CHECK_FALSE(shows(person.look()));
+}
+
 TEST_CASE("a message that ends a long tick, or comes up behind a page, is seen for its full time") {
     Person person;
     person.player.say("hello there");

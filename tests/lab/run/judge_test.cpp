@@ -27,7 +27,7 @@ RunRecord run(const Scene& scene, std::uint64_t ticks) {
     RunRecord record = begin_record(scene, solver.settings());
     while (world.tick() < ticks) {
         solver.tick(world);
-        note_tick(record, scene, world, solver.contacts());
+        note_tick(record, scene, world, solver);
     }
     note_end(record, scene, world);
     return record;

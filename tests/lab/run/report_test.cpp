@@ -30,7 +30,7 @@ Finished run(const std::string& statements, std::uint64_t ticks) {
     run.record = begin_record(run.scene, solver.settings());
     while (run.world.tick() < ticks) {
         solver.tick(run.world);
-        note_tick(run.record, run.scene, run.world, solver.contacts());
+        note_tick(run.record, run.scene, run.world, solver);
     }
     note_end(run.record, run.scene, run.world);
     run.report = report_json("test", run.scene, run.world, run.record, 0.25);
@@ -190,14 +190,15 @@ TEST_CASE("report: balls that are too small for the solver are noted") {
                        3);
         };
         const Finished small = with(row.small);
-        CHECK(small.record.not_held.ticks == 3);
-        CHECK(small.record.not_held.first_tick == 1);
-        CHECK(small.record.not_held.most_balls == 1);
+        CHECK(small.record.notes.of(NoteKind::not_held).count == 3);
+        CHECK(small.record.notes.of(NoteKind::not_held).first == 1);
+        CHECK(small.record.notes.of(NoteKind::not_held).most.balls == 1);
         CHECK(has(small.report,
                   R"("kind": "not_held", "ticks": 3, "first_tick": 1, "most_balls": 1)"));
-        CHECK(has(notes_text(small.record, 100.0), "note: gravity moves small balls too far"));
+        CHECK(
+            has(notes_text(small.record.notes, 100.0), "note: gravity moves small balls too far"));
         const Finished held = with(row.held);
         CHECK_FALSE(has(held.report, "not_held"));
-        CHECK(notes_text(held.record, 100.0).empty());
+        CHECK_FALSE(has(notes_text(held.record.notes, 100.0), "small balls"));
     }
 }
