@@ -15,6 +15,14 @@ fail() {
     exit 2
 }
 
+# help_if_asked ARGUMENT...: prints the comment at the top of the script, and ends it, if -h or --help
+# comes first.
+help_if_asked() {
+    case ${1:-} in
+        -h | --help) sed -n '2,/^[^#]/{/^#/s/^# \{0,1\}//p}' "$0"; exit 0 ;;
+    esac
+}
+
 # is_installed PACKAGE: whether the Debian package is installed.
 is_installed() {
     [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
