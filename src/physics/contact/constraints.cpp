@@ -25,6 +25,12 @@ inline void ContactConstraints::apply(const ContactConstraint& constraint) {
     if (constraint.b != bodies_.fixed) b.velocity -= push * b.inverse_mass;
 }
 
+// At this target, a pair that does not move keeps its impulse.
+inline double ContactConstraints::holding_target(const ContactPair& pair) const {
+    const double ease = bodies_.body[pair.a].inverse_mass + bodies_.body[pair.b].inverse_mass;
+    return -(step_.softness.impulse_share / step_.softness.mass_share) * pair.impulse * ease;
+}
+
 template <bool spin>
 void ContactConstraints::begin_all() {
     const std::span<const std::uint32_t> indices = classification_.constraints();
@@ -32,6 +38,8 @@ void ContactConstraints::begin_all() {
     nothing_ = {.a = bodies_.fixed, .b = bodies_.fixed};
     new_.clear();
     const double per_substep = 1.0 / step_.duration;
+    const bool may_open = energy_.may_open();
+    const double deepest_held = -contact_tolerance::deep_overlap * bodies_.smallest_radius;
     double springs = 0.0;
     for (std::uint32_t k = 0; k < indices.size(); ++k) {
         const ContactPair& pair = pairs_[indices[k]];
@@ -52,6 +60,8 @@ void ContactConstraints::begin_all() {
             .impulse = pair.impulse,
             .tangential_impulse = pair.tangential_impulse,
             .friction = pair.friction};
+        if (!may_open && gap > deepest_held && gap < 0.0)
+            constraints_[k].target = std::max(constraints_[k].target, holding_target(pair));
         apply<spin>(constraints_[k]);
         if (gap < 0.0) springs += pair.mass * gap * gap * (1.0 + stiffer);
     }

@@ -77,6 +77,7 @@ class ContactConstraints {
   private:
     template <bool spin>
     void begin_all();
+    double holding_target(const ContactPair& pair) const;
     template <bool spin>
     void apply(const ContactConstraint& constraint);
     template <bool spin>

@@ -95,6 +95,7 @@ void ContactSolver::substep(World& world, double share_of_displacement,
     bodies_.integrate_velocities(world, step_);
     kinematics_.set_velocities(bodies_);
     classification_.count_contacts(is_reloaded_);
+    if (is_reloaded_) energy_.forget_groups();
     classification_.classify(world);
     constraints_.begin();
     hinges_.begin();

@@ -29,7 +29,7 @@
 /// | strict_overlap    | 0.018 | smaller radius               | pushes squash jams / jams without gravity stand still longer |
 /// | strict_share      | 0.5   | of the room left             | jams stand still longer, both ways |
 /// | kinematic_overlap | 0.1   | ball's radius                | held edges sink into balls / they stutter |
-/// | deep_overlap      | 0.25  | smallest radius              | overlap goes unnoticed by CCD / every pair is searched |
+/// | deep_overlap      | 0.25  | smallest radius              | overlap goes unnoticed by CCD, crowds stay crowds / every pair is searched |
 /// | closing_margin    | 0.02  | smallest radius              | more idle constraints / pushed balls reach others late |
 /// | least_turn        | 1e-3  | rest speeds                  | curves cost energy / jitter in a heap counts as rolling |
 /// | most_impacts      | 64    | impacts of a ball a substep  | jams cost more / fast balls freeze early |
@@ -106,7 +106,7 @@ inline constexpr double strict_share = 0.5;
 /// A kinematic body goes no further into a ball than this share of the ball's radius.
 inline constexpr double kinematic_overlap = 0.1;
 /// A constraint that overlaps by more than this share of the smallest radius makes the solver look
-/// for impacts of all pairs, not only of the fast ones.
+/// for impacts of all pairs, not only of the fast ones. It opens even if constraints owe too much.
 inline constexpr double deep_overlap = 0.25;
 /// A gap, as a share of the smallest radius, that pressed pairs may close for others in a substep.
 inline constexpr double closing_margin = 0.02;
