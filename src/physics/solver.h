@@ -95,4 +95,13 @@ class Solver {
     std::unique_ptr<State> state_;
 };
 
+/// For how many balls and seesaws time stood still in a tick.
+struct Standing {
+    std::size_t balls = 0;
+    std::size_t seesaws = 0;
+};
+inline Standing standing_in(const Solver& solver) {
+    return {solver.standing().size(), solver.standing_seesaws()};
+}
+
 }  // namespace carom

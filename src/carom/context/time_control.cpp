@@ -24,8 +24,7 @@ void go_to(PlayContext& play, std::uint64_t tick) {
 void tell_outcome(PlayContext& play) {
     const TickNotes before = std::exchange(
         play.notes, notes_of_tick(play.session.world(), play.session.solver().kind,
-                                  {play.session.standing(), play.session.standing_seesaws()},
-                                  rule_state(play.session.game())));
+                                  play.session.standing(), rule_state(play.session.game())));
     // A note that lasts leaves room for other messages.
     if (const auto note = play_note(before, play.notes))
         if (note->has_begun || !play.messages.line()) complain(play, note->text);

@@ -65,10 +65,6 @@ Program::Program(PlayOptions options, PreferencesText preferences)
     mouse_ = options_.mouse.value_or(preferences_.mouse.value_or(true));
 }
 
-bool Program::brings_own_ground() const {
-    return theme_.is_light && *theme_.is_light != capabilities_.light_background;
-}
-
 ViewOptions Program::view() const {
     ViewOptions view = view_;
     view.look = {.colors = capabilities_.direct_color ? direct_colors : capabilities_.colors,
@@ -76,7 +72,9 @@ ViewOptions Program::view() const {
                  .light_background = theme_.is_light.value_or(capabilities_.light_background),
                  .mosaic = capabilities_.mosaic,
                  .theme = theme_.name,
-                 .ground = brings_own_ground() ? std::nullopt : capabilities_.background};
+                 .ground = theme_.brings_own_ground(capabilities_.light_background)
+                               ? std::nullopt
+                               : capabilities_.background};
     return view;
 }
 

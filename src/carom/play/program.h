@@ -91,8 +91,6 @@ class Program {
         void draw(Canvas& canvas, const Look& look);
     };
 
-    /// The chosen theme is for the other kind of background than the terminal's.
-    bool brings_own_ground() const;
     void show_menu(std::string_view choose);
     /// Opens a level. None: it is on the screen; else the problems.
     std::optional<Problems> open(const LevelSource& source);

@@ -280,7 +280,8 @@ void Program::draw(Canvas& canvas) {
         notice->draw(canvas, view().look, notice->source && options_.watch);
     else if (auto* resuming = std::get_if<Resuming>(&page_))
         resuming->draw(canvas, view().look);
-    if (brings_own_ground()) paint_own_ground(canvas, view().look);
+    if (theme_.brings_own_ground(capabilities_.light_background))
+        paint_own_ground(canvas, view().look);
 }
 
 void Program::Notice::draw(Canvas& canvas, const Look& look, bool is_tried_again) {

@@ -82,10 +82,8 @@ class Session {
     }
     /// How the last tick ended.
     TickOutcome outcome() const { return outcome_; }
-    /// For how many balls time stood still in a part of it: see Solver::standing.
-    std::size_t standing() const { return solver_.standing().size(); }
-    /// For how many seesaws.
-    std::size_t standing_seesaws() const { return solver_.standing_seesaws(); }
+    /// For what time stood still in a part of it.
+    Standing standing() const { return standing_in(solver_); }
 
     /// The earliest tick that go_to() accepts, and the latest that has been reached.
     std::uint64_t earliest() const { return base_ ? base_->world.tick() : 0; }

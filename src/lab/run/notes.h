@@ -26,12 +26,6 @@ enum class NoteKind : std::uint8_t {
 };
 inline constexpr std::size_t note_kinds = 4;
 
-/// For how many balls and seesaws time stood still in a tick.
-struct Standing {
-    std::size_t balls = 0;
-    std::size_t seesaws = 0;
-};
-
 /// What is noteworthy of one tick.
 struct TickNotes {
     SolverKind solver = SolverKind::event;

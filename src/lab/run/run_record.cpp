@@ -35,7 +35,7 @@ void note_tick(RunRecord& record, const Scene& scene, const World& world, const 
     record.watch.note_tick(world);
     record.watch.observe_tick(scene, world, solver.contacts());
     record.ball_ticks += world.balls().size();
-    const Standing standing{solver.standing().size(), solver.standing_seesaws()};
+    const Standing standing = standing_in(solver);
     record.notes.add(notes_of_tick(world, solver.settings().kind, standing, rules), world.tick());
     judge_all(record, scene, world, false);
 }

@@ -62,6 +62,10 @@ struct ThemeChoice {
     ThemeName name = ThemeName::standard;
     std::optional<bool> is_light;  ///< none: as the terminal's background
 
+    /// Whether it is for the other kind of background than the terminal's.
+    bool brings_own_ground(bool is_terminal_light) const {
+        return is_light && *is_light != is_terminal_light;
+    }
     friend bool operator==(const ThemeChoice&, const ThemeChoice&) = default;
 };
 std::optional<ThemeChoice> theme_choice(std::string_view name);
