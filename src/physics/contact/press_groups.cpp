@@ -7,9 +7,14 @@
 
 namespace carom {
 
+namespace {
+
+// Twice the kinetic energy for each unit of mass.
 double squares_of(const ContactSubstep& step, Vec2 velocity, double surface_speed) {
     return length_squared(velocity) + surface_speed * surface_speed * (1.0 / step.spin_ease);
 }
+
+}  // namespace
 
 double kinetic_energy_of(const ContactSubstep& step, const ContactBodies& bodies,
                          std::uint32_t ball) {

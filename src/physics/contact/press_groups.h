@@ -9,20 +9,19 @@
 
 namespace carom {
 
-/// Twice the kinetic energy for each unit of mass.
-double squares_of(const ContactSubstep& step, Vec2 velocity, double surface_speed);
+/// The kinetic energy of a ball that is not kinematic, with that of its spin.
 double kinetic_energy_of(const ContactSubstep& step, const ContactBodies& bodies,
                          std::uint32_t ball);
-/// What the ball has gained in the substep.
+/// The kinetic and potential energy that the ball has gained in the substep.
 double gain_of(const ContactSubstep& step, const ContactBodies& bodies, std::uint32_t ball);
 
 /// Balls that press on one another, and all that goes back with them.
 struct PressGroup {
-    double gain = 0.0;          ///< of energy in the substep, of balls that are pressed
-    double lift = 0.0;          ///< of potential energy in the substep
-    double kinetic = 0.0;       ///< of balls that are pressed
-    double mass = 0.0;          ///< as `kinetic`
-    Vec2 momentum;              ///< as `kinetic`
+    double gain = 0.0;     ///< of energy in the substep; of groups that are pressed
+    double lift = 0.0;     ///< of potential energy in the substep
+    double kinetic = 0.0;  ///< energy at the end of the substep
+    double mass = 0.0;
+    Vec2 momentum;
     std::uint32_t joined = 0;   ///< index of the group that it has joined; its own if none
     bool is_pressed = false;    ///< by a constraint, before others joined it
     bool is_supported = false;  ///< by a body that they cannot move
@@ -41,7 +40,8 @@ class PressGroups {
     PressGroups(const ContactSubstep& step, const ContactBodies& bodies, ContactPairs& pairs)
         : step_(step), bodies_(bodies), pairs_(pairs) {}
 
-    /// The groups are to be found anew.
+    /// The next `find` looks for the groups anew. To be called whenever the order of the bodies has
+    /// changed, and at the start of a tick.
     void forget() { found_.clear(); }
     /// Balls that touch are of one group, until they are forgotten. A ball that touches nothing is
     /// one by itself.

@@ -41,7 +41,7 @@ class TerminalModes {
     std::string learn(const Answer& answer);
     /// The most colours that an answer promised: 0, 256 or direct_colors.
     int colors_promised() const { return colors_promised_; }
-    /// As TerminalTraits.
+    /// Whether glyphs reach over the edges of their cells: see TerminalTraits.
     bool has_overhang() const { return has_overhang_; }
     /// Copies the known abilities into `capabilities`.
     void tell(Capabilities& capabilities) const;

@@ -36,7 +36,7 @@ std::string report_of(const RunNotes& notes) {
 
 }  // namespace
 
-TEST_CASE("notes: every kind is told in a run, in its report and in play") {
+TEST_CASE("notes: a run, its report and play show every kind") {
     for (std::size_t at = 0; at < note_kinds; ++at) {
         CAPTURE(at);
         const TickNotes tick = with(static_cast<NoteKind>(at), 1'000'000);
