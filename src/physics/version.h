@@ -47,6 +47,7 @@ namespace carom {
 ///   in a substep. Under `swept` no ball rests on a fast one. Under `event` a hand that presses a
 ///   ball on one yields.
 /// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
+/// - Pinball: the ball saver and timers stand while the only ball waits at the plunger.
 inline constexpr int physics_version = 3;
 
 }  // namespace carom

@@ -72,6 +72,10 @@ void write_golden(const std::vector<test::GoldenRun>& runs) {
 
 TEST_CASE("golden fingerprints of every level under every solver") {
     const std::vector<test::GoldenRun> now = runs_now();
+    for (const test::GoldenRun& run : now) {
+        INFO(run.line);
+        REQUIRE_FALSE(run.has_failed);
+    }
     if (std::getenv("CAROM_UPDATE_GOLDEN") != nullptr) return write_golden(now);
     const std::vector<std::string> golden = file_lines(golden_file);
     const auto traces = golden_traces();

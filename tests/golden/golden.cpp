@@ -48,6 +48,10 @@ LoadResult load(const fs::path& path) {
     return load_level(content(path).value_or(""), path.string(), options);
 }
 
+GoldenRun failed_run(std::string_view name, std::string_view reason) {
+    return {.line = fmt::format("{}: {}", name, reason), .has_failed = true};
+}
+
 GoldenRun run_of(const std::string& level, const Scene& scene, SolverKind kind) {
     // A level's settings apply to its own solver.
     SolverSettings settings{.kind = kind};
@@ -64,19 +68,21 @@ GoldenRun run_of(const std::string& level, const Scene& scene, SolverKind kind) 
         solver.tick(world);
         trace.note(world);
     }
-    return {fmt::format("{} {} {} {}", level, name(kind), ticks, hexadecimal(fingerprint(world))),
-            ticks, trace.lines()};
+    return {.line = fmt::format("{} {} {} {}", level, name(kind), ticks,
+                                hexadecimal(fingerprint(world))),
+            .ticks = ticks,
+            .trace = trace.lines()};
 }
 
 GoldenRun run_of(const fs::path& path) {
     const std::string file = path.filename().string();
     auto read = read_replay(content(path).value_or(""));
     if (const auto* error = std::get_if<ReplayError>(&read))
-        return {file + ": " + error->message, 0, {}};
+        return failed_run(file, error->message);
     const Replay& replay = std::get<Replay>(read);
     auto scene = scene_of(replay);
     if (const auto* error = std::get_if<ReplayError>(&scene))
-        return {file + ": " + error->message, 0, {}};
+        return failed_run(file, error->message);
     Replayer replayer(replay, std::move(std::get<Scene>(scene)), 0);
     TraceRecorder trace(replayer.session().world(), replay.end);
     bool goes_on = true;
@@ -84,10 +90,11 @@ GoldenRun run_of(const fs::path& path) {
         goes_on = replayer.advance(1);
         trace.note(replayer.session().world());
     }
-    if (replayer.failure()) return {file + ": " + *replayer.failure(), 0, {}};
+    if (replayer.failure()) return failed_run(file, *replayer.failure());
     const World& world = replayer.session().world();
-    return {fmt::format("{} {} {}", file, world.tick(), hexadecimal(fingerprint(world))),
-            replay.end, trace.lines()};
+    return {.line = fmt::format("{} {} {}", file, world.tick(), hexadecimal(fingerprint(world))),
+            .ticks = replay.end,
+            .trace = trace.lines()};
 }
 
 std::vector<fs::path> files_in(const std::string& folder, std::string_view extension) {
@@ -108,7 +115,7 @@ std::vector<GoldenRun> golden_levels(const std::string& folder,
         if (!names.empty() && std::ranges::count(names, level) == 0) continue;
         const LoadResult loaded = load(path);
         if (!loaded.scene) {
-            runs.push_back({level + ": " + render(loaded.diagnostics.front()), 0, {}});
+            runs.push_back(failed_run(level, render(loaded.diagnostics.front())));
             continue;
         }
         for (const SolverKind kind : solvers_available())
