@@ -18,6 +18,11 @@ bool PinballFeedback::is_at(const Session& session) {
     return std::holds_alternative<PinballState>(session.game());
 }
 
+void PinballFeedback::pass(PlayContext& play, double seconds) {
+    display_.follow(play.session, seconds);
+    if (!play.clock.is_paused() && scores_.pass(seconds)) play.needs_draw = true;
+}
+
 void PinballFeedback::after_ticks(PlayContext& play, double seconds, bool is_demonstrating) {
     const PinballState& state = state_of(play);
     if (bell_.rings(play.session, seconds) && play.terminal.rings) play.terminal.bell_is_due = true;

@@ -17,7 +17,7 @@ class PinballFeedback {
     PinballScores& scores() { return scores_; }
     const PinballScores& scores() const { return scores_; }
 
-    void pass(const PlayContext& play, double seconds) { display_.follow(play.session, seconds); }
+    void pass(PlayContext& play, double seconds);
     /// Rings the bell, asks for initials, and shows the table's messages: in the score panel where
     /// there is one, so that the hints stay visible.
     void after_ticks(PlayContext& play, double seconds, bool is_demonstrating);

@@ -28,11 +28,13 @@ void PinballScores::follow(const PinballState& state, bool is_demonstrating, boo
 // Asks for the first of those whose score is still among the best.
 void PinballScores::ask_next() {
     initials_.reset();
+    idle_ = 0.0;
     std::erase_if(asked_, [&](const Asked& asked) { return !scores_.takes(asked.score); });
     if (!asked_.empty()) initials_ = "";
 }
 
 void PinballScores::type(const InputEvent& event) {
+    idle_ = 0.0;
     if (!initials_ || event.action == InputEvent::Action::release) return;
     if (event.key == key::backspace) {
         if (!initials_->empty()) initials_->pop_back();
@@ -50,7 +52,20 @@ void PinballScores::type(const InputEvent& event) {
         if (letter >= 'a') letter = static_cast<char>(letter - 'a' + 'A');
         initials_->push_back(letter);
     }
-    if (event.key != key::enter || initials_->empty()) return;
+    if (event.key == key::enter && !initials_->empty()) enter();
+}
+
+bool PinballScores::pass(double seconds) {
+    constexpr double patience = 60.0;  // s
+    if (!initials_) return false;
+    idle_ += seconds;
+    if (idle_ < patience) return false;
+    enter();
+    return true;
+}
+
+// The initials are complete.
+void PinballScores::enter() {
     initials_->resize(3, '-');
     written_ = newest_ = HighScore{*initials_, asked_.front().score};
     scores_.add(*newest_);

@@ -29,6 +29,9 @@ class PinballScores {
     std::size_t player() const { return asked_.front().player; }
     /// Takes a letter, a correction, or the confirmation.
     void type(const InputEvent& event);
+    /// Time has passed while they could be typed. After a minute without a key, what has been typed
+    /// counts, as on real tables. True: it does now.
+    bool pass(double seconds);
     /// The score that has been entered; returned once.
     std::optional<HighScore> take();
 
@@ -41,10 +44,12 @@ class PinballScores {
         std::size_t player = 0;
     };
     void ask_next();
+    void enter();
 
     HighScores scores_;
     std::optional<std::string> initials_;
     std::vector<Asked> asked_;  ///< the scores that initials are asked for, the best first
+    double idle_ = 0.0;         ///< s since the last key
     std::optional<HighScore> written_;
     std::optional<HighScore> newest_;
     bool was_demonstrated_ = false;  ///< at some point of this game

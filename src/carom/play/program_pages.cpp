@@ -25,9 +25,12 @@ bool is_key_press(const InputEvent& event) {
     return event.kind == InputEvent::Kind::key && event.action != InputEvent::Action::release;
 }
 
-void keep_score(Player& player, const std::string& path, const HighScore& score) {
+// Keeps a score for which the player has entered initials, or let the time for them pass.
+void keep_score(Player& player, const std::string& path) {
+    const auto score = player.take_high_score();
+    if (!score) return;
     const std::size_t most = player.session().scene().table.highscores;
-    HighScoresText kept = keep_high_score(high_scores_name(path), most, score);
+    HighScoresText kept = keep_high_score(high_scores_name(path), most, *score);
     if (kept.problem) player.complain(*kept.problem);
     player.set_high_scores(std::move(kept.scores));
 }
@@ -94,8 +97,7 @@ void Program::handle_game(RunningGame& game, const InputEvent& event, double now
         return;
     }
     const PlayRequest request = game.player.handle(event);
-    if (const auto score = game.player.take_high_score())
-        keep_score(game.player, game.source.path, *score);
+    keep_score(game.player, game.source.path);
     views_[game.source.path] = game.player.view();
     take_settings(game.player, preferences_, settings_);
     game.keep_pool_record(false);
@@ -220,6 +222,7 @@ void Program::advance_game(RunningGame& game, double seconds, double now,
     const double faded = std::exchange(game.messages_faded, now);
     game.player.fade_messages(faded > 0.0 ? now - faded : seconds);
     game.player.advance(seconds, may_go_on);
+    keep_score(game.player, game.source.path);
     if (game.player.is_watching())
         game.compare_marks();
     else

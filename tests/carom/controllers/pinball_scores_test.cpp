@@ -65,3 +65,21 @@ TEST_CASE("initials: one player has no number, and a game of the demo asks nobod
     demo.follow(game_over({100, 200}), true, false);
     CHECK_FALSE(demo.initials());
 }
+
+TEST_CASE("initials: a minute after the last key, what has been typed counts") {
+    PinballScores scores;
+    scores.follow(game_over({100, 200}), false, false);
+    CHECK_FALSE(scores.pass(59.0));
+    type(scores, U"al");
+    CHECK_FALSE(scores.pass(59.0));
+    REQUIRE(scores.initials() == "AL");
+    CHECK(scores.pass(2.0));
+    CHECK(scores.take() == HighScore{"AL-", 200});
+    // The next player has a minute too.
+    CHECK(scores.player() == 1);
+    CHECK_FALSE(scores.pass(59.0));
+    CHECK(scores.pass(2.0));
+    CHECK(scores.take() == HighScore{"---", 100});
+    CHECK_FALSE(scores.initials());
+    CHECK_FALSE(scores.pass(100.0));
+}

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <sstream>
 #include <string>
 
 #include "carom/controllers/pinball_bell.h"
@@ -151,6 +152,49 @@ TEST_CASE("a table that nobody touches is played by the demo, until any key") {
     CHECK(table.sees("ball 1 of 3"));
     table.pass(5.0);
     CHECK_FALSE(table.sees("DEMONSTRATION"));
+}
+
+// The ball crosses a lane and drains: the game is over.
+TEST_CASE("initials that nobody completes are kept, and the demo plays then") {
+    const TableHome home;
+    home.write("work.level", R"(carom 1 "A short game"
+units mm
+rate 1000
+use gravity 0,-0.8m/s2
+kind pinball r=10 m=80g
+box 0,0 400,600 r=1
+ball b kind=pinball at=380,31
+rollover lane at=380,200 r=15
+plunger spring at=380,20 dir=up speed=2.5m/s..2.5m/s width=10
+drain out 350,320 399,320
+flipper left at=60,60 length=90 r=8
+flipper right at=250,60 length=90 r=8 key=right
+game pinball balls=1 save=0s highscores=3
+on lane enter score 700
+)");
+    AtTable table(home);
+    table.pass(1.0);
+    table.key(key::enter);
+    table.pass(10.0);
+    REQUIRE(table.sees("YOUR INITIALS: ___"));
+    table.key(U'e');
+    table.pass(50.0);
+    table.key(U'd');
+    table.pass(50.0);
+    CHECK(table.sees("YOUR INITIALS: ED_"));
+    table.pass(11.0);
+    CHECK_FALSE(table.sees("YOUR INITIALS"));
+    std::stringstream kept;
+    kept << std::ifstream(home.path / "data/carom/high-scores").rdbuf();
+    CHECK(kept.str().find("work 700 ED-") != std::string::npos);
+    CHECK_FALSE(table.sees("DEMONSTRATION"));
+    // Its ball drains soon too.
+    bool is_played = false;
+    for (int i = 0; i < 300 && !is_played; ++i) {
+        table.pass(0.1);
+        is_played = table.sees("DEMONSTRATION");
+    }
+    CHECK(is_played);
 }
 
 TEST_CASE("with key releases, the first press already holds the flipper up") {
