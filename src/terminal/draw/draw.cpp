@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "terminal/draw/board_texts.h"
 #include "terminal/draw/draw_parts.h"
 
 namespace carom {
@@ -30,8 +31,9 @@ void write_texts(Canvas& canvas, const View& view) {
     else
         write_labels(canvas, view);
     if (view.options.board_texts) {
-        write_board_labels(canvas, view);
-        write_insert_names(canvas, view);
+        BoardTexts texts(canvas, view);
+        write_board_labels(texts, view);
+        write_insert_names(texts, view);
     }
     write_scale(canvas, view);
     write_annotations(canvas, view);

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "level/text/utf8.h"
 #include "terminal/canvas/character_width.h"
+#include "terminal/draw/board_texts.h"
 #include "terminal/draw/draw_parts.h"
 
 /// Draws the dress of a level: the colours of its balls and edges, and its labels.
@@ -69,7 +69,7 @@ void paint_cradles(Raster& raster, const View& view) {
     }
 }
 
-void write_board_labels(Canvas& canvas, const View& view) {
+void write_board_labels(BoardTexts& texts, const View& view) {
     const Look& look = view.options.look;
     const CellArea& area = view.camera.area;
     for (const BoardLabel& label : view.scene.dress.labels) {
@@ -82,67 +82,7 @@ void write_board_labels(Canvas& canvas, const View& view) {
                                                                        : 0.5;
         const Ink ink = label.color ? dress_ink(*label.color, look) : ink_of(Role::text, look);
         const auto first = std::lround(at.column - share * columns_of(label.text));
-        write_on_ground(canvas, view, static_cast<int>(first), static_cast<int>(at.row), label.text,
-                        ink);
-    }
-}
-
-namespace {
-
-// Whether a ball is drawn in the cell.
-bool is_under_ball(const View& view, int column, int row) {
-    const Balls& balls = view.world.balls();
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const CellPoint at = to_cells(view.camera, balls.position[i]);
-        const double radius = balls.radius[i] * view.camera.columns_per_length;
-        if (std::abs(at.column - (column + 0.5)) < radius + 1.0 &&
-            std::abs(at.row - (row + 0.5)) < radius / view.camera.aspect + 1.0)
-            return true;
-    }
-    return false;
-}
-
-// Whether text may stand in all of these cells. A ball on its way over them does not count.
-bool is_bare_ground(const Canvas& canvas, const View& view, int column, int row, int width) {
-    for (int i = column; i < column + width; ++i)
-        if (!view.memory.ground.is_bare(canvas, i, row) && !is_under_ball(view, i, row))
-            return false;
-    return true;
-}
-
-// Whether the text of another label ends or begins at the cell. Renderers without pixels draw
-// shapes with letters too, and there this counts them.
-bool is_text(const Canvas& canvas, int column, int row) {
-    if (!canvas.holds(column, row)) return false;
-    const char32_t glyph = canvas.at(column, row).glyph;
-    return (glyph >= U'0' && glyph <= U'9') || (glyph >= U'A' && glyph <= U'Z') ||
-           (glyph >= U'a' && glyph <= U'z');
-}
-
-}  // namespace
-
-void write_on_ground(Canvas& canvas, const View& view, int column, int row, std::string_view text,
-                     const Ink& ink) {
-    const CellArea& area = view.camera.area;
-    const int width = columns_of(text);
-    if (!is_bare_ground(canvas, view, column, row, width) || is_text(canvas, column - 1, row) ||
-        is_text(canvas, column + width, row))
-        for (const int aside : {1, -1, 2, -2, 3, -3})
-            // A blank on both sides keeps texts apart.
-            if (is_bare_ground(canvas, view, column + aside - 1, row, width + 2)) {
-                column += aside;
-                break;
-            }
-    for (; !text.empty(); ++column) {
-        const std::size_t bytes = decode_utf8(text).bytes;
-        const bool is_seen = column >= area.column && column < area.column + area.columns &&
-                             row >= area.row && row < area.row + area.rows;
-        const bool is_free = is_seen && (view.memory.ground.is_bare(canvas, column, row) ||
-                                         !is_under_ball(view, column, row));
-        if (is_free)
-            canvas.write(column, row, text.substr(0, bytes), ink.color, default_color,
-                         ink.attributes);
-        text.remove_prefix(bytes);
+        texts.write(static_cast<int>(first), static_cast<int>(at.row), label.text, ink);
     }
 }
 

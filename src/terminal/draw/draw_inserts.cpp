@@ -5,6 +5,7 @@
 #include "geometry/elementary.h"
 #include "geometry/polygon.h"
 #include "terminal/canvas/character_width.h"
+#include "terminal/draw/board_texts.h"
 #include "terminal/draw/draw_parts.h"
 
 /// Draws the lights that are set into the board of a pinball table, and their names.
@@ -136,15 +137,9 @@ void paint_insert(Raster& raster, const View& view, const TableLight& light) {
     paint_shape(raster, at, radius, light, {tones_of(ink.color, look).light, bold}, full);
 }
 
-void write_insert_names(Canvas& canvas, const View& view) {
+void write_insert_names(BoardTexts& texts, const View& view) {
     if (!view.annotations.table) return;
     const Look& look = view.options.look;
-    struct Taken {
-        int row = 0;
-        int first = 0;
-        int last = 0;
-    };
-    std::vector<Taken> taken;
     for (const TableLight& light : view.annotations.table->lights) {
         if (light.text.empty()) continue;
         const CellPoint at = to_cells(view.camera, light.shape.start);
@@ -157,21 +152,12 @@ void write_insert_names(Canvas& canvas, const View& view) {
             static_cast<int>(radius >= least_halo ? std::ceil(at.row + halo_share * rows + 0.1)
                                                   : std::floor(at.row + std::max(rows, 0.5) + 0.5));
         const int first = static_cast<int>(std::lround(at.column - 0.5 * width));
-        const bool is_taken = std::ranges::any_of(taken, [&](const Taken& other) {
-            return other.row == row && first <= other.last && other.first <= first + width;
-        });
-        const auto is_on_text = [&](const TableLight& other) {
-            const CellPoint place = to_cells(view.camera, other.shape.start);
-            return !other.is_edge && &other != &light && std::floor(place.row) == row &&
-                   place.column >= first && place.column < first + width;
-        };
-        if (is_taken || std::ranges::any_of(view.annotations.table->lights, is_on_text)) continue;
-        taken.push_back({row, first, first + width});
+        if (texts.covers_light({row, first, first + width})) continue;
         Ink ink = light.color ? dress_ink(*light.color, look) : ink_of_class(light.family, look);
         ink.attributes = light.is_lit ? bold : plain;
         if (!light.is_lit) ink.color = dimmed(ink.color, 0.6, look);
         if (!look.has_colors()) ink.attributes = light.is_lit ? bold : dim;
-        write_on_ground(canvas, view, first, row, light.text, ink);
+        texts.write(first, row, light.text, ink);
     }
 }
 

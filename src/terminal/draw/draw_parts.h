@@ -12,6 +12,8 @@
 /// this room.
 namespace carom {
 
+class BoardTexts;
+
 /// The input of all layers.
 struct View {
     const Camera& camera;
@@ -110,13 +112,9 @@ int number_width(const View& view, std::size_t ball);
 void polish_balls(std::vector<Ink>& inks, const View& view);
 
 // Onto the canvas, over all shapes.
-/// Writes text on the board. It moves up to three columns aside from shapes and from other text, if
-/// only the ground is there; else it covers what is there, but never a ball.
-void write_on_ground(Canvas& canvas, const View& view, int column, int row, std::string_view text,
-                     const Ink& ink);
-void write_insert_names(Canvas& canvas, const View& view);
+void write_insert_names(BoardTexts& texts, const View& view);
 /// The labels of the level.
-void write_board_labels(Canvas& canvas, const View& view);
+void write_board_labels(BoardTexts& texts, const View& view);
 /// What the colours stand for, where they are a scale: of speed, in length/s, or of mass.
 void write_scale(Canvas& canvas, const View& view);
 /// The distance of the grid lines at round coordinates, a length: 1, 2 or 5 times a power of ten,

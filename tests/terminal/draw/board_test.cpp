@@ -137,7 +137,7 @@ TEST_CASE("draw: a label beside another one moves aside, so that the two are two
     ViewMemory memory;
     draw_world(canvas, fit_camera(scene.view, {0, 0, 40, 10}, 2.0), scene, scene.world, {}, {},
                options, memory);
-    CHECK(canvas.text().find("MOULD█CRANE█ANVIL") != std::string::npos);
+    CHECK(canvas.text().find("MOULD██CRANE██ANVIL") != std::string::npos);
 }
 
 TEST_CASE("draw: a ball named red is red, paint lies under it, and a label on free ground") {

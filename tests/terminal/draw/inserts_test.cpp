@@ -76,6 +76,27 @@ TEST_CASE("an arrow points in ASCII too, and names do not cover other lights") {
     CHECK(Picture(table, ascii_renderer()).canvas.text().find("JACKPOT") == std::string::npos);
 }
 
+TEST_CASE("names of lights and labels in a row stand two columns apart where there is room") {
+    const auto names = [](double distance, const std::string& label = "") {
+        TableAnnotations table;
+        table.lights = {light_at({26, 30}, InsertShape::circle, true),
+                        light_at({26 + distance, 30}, InsertShape::circle, true)};
+        table.lights.back().text = "SUPER";
+        return Picture(table, ascii_renderer(), label).canvas.text();
+    };
+    const auto shows = [](const std::string& picture, const char* text) {
+        return picture.find(text) != std::string::npos;
+    };
+    CHECK(shows(names(8), "JACKPOT  SUPER"));
+    CHECK(shows(names(7), "JACKPOT  SUPER"));
+    CHECK(shows(names(6), "JACKPOT  SUPER"));
+    CHECK(shows(names(4), "JACKPOT SUPER"));
+    CHECK(shows(names(2), "JACKPOT"));
+    CHECK_FALSE(shows(names(2), "SUPER"));  // no room within three columns
+    // The level's labels come first.
+    CHECK(shows(names(9, "label \"SAFE\" at=31,23\n"), "JACKPOT  SAFE  SUPER"));
+}
+
 TEST_CASE("an area above the board is see-through, and covers balls on the board only") {
     const std::string ramp =
         "material rail layer=1\nedge rail 40,10 50,10\n"

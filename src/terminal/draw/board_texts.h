@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "terminal/canvas/canvas.h"
+#include "terminal/draw/draw_parts.h"
+
+/// Where do the labels of a level and the names of its lights stand on the board?
+namespace carom {
+
+/// Writes texts, the more important ones first, and keeps them apart: between two texts in a row
+/// are two columns, or one where there is no room for two. A text moves up to three columns aside
+/// to where only the ground is; else it stays and covers shapes, or moves only as far as other
+/// texts need. It never covers a ball. Without such a place it is left out.
+class BoardTexts {
+  public:
+    /// Keeps references to both.
+    BoardTexts(Canvas& canvas, const View& view) : canvas_(canvas), view_(view) {}
+
+    /// Cells of a row.
+    struct Span {
+        int row = 0;
+        int first = 0;
+        int end = 0;  ///< past the last column
+    };
+
+    void write(int column, int row, std::string_view text, const Ink& ink);
+    /// Whether a text would hide a light.
+    bool covers_light(Span text) const;
+
+  private:
+    std::optional<Span> place_for(Span text, int columns) const;
+    bool is_apart(Span text, int columns) const;
+    bool is_bare_ground(Span cells) const;
+    bool is_under_ball(int column, int row) const;
+
+    Canvas& canvas_;
+    const View& view_;
+    std::vector<Span> written_;
+};
+
+}  // namespace carom
