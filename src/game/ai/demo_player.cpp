@@ -10,7 +10,6 @@ namespace {
 
 // All times in seconds.
 constexpr double pause_between = 4.0;  // games
-constexpr double nudge_pause = 1.5;    // nudges, so that the table does not tilt
 
 // Meeting a ball that comes down.
 constexpr double decides_every = 0.10;
@@ -35,6 +34,7 @@ constexpr double shot_time = 2.0;              // in which a shot reaches its de
 // The least gain for which it presses a button, and for which it nudges: a ball that would be lost.
 constexpr double least_gain = 4.0;
 constexpr double nudge_gain = 40.0;
+constexpr double still_meter = 0.05;  // of the tilt: below it a nudge raises no warning
 
 std::size_t index(Button button) {
     return static_cast<std::size_t>(button);
@@ -169,10 +169,13 @@ void DemoPlayer::watch_shot(const Game& game) {
     if (is_made || game.world.tick() >= shot_->until) shot_.reset();
 }
 
-bool DemoPlayer::may_nudge(const Game& game) const {
-    if (game.state.tilt_meter > 0.05 || game.state.is_tilted) return false;
-    return nudged_at_ == 0 ||
-           game.world.tick() >= nudged_at_ + pinball_ticks(game.world, nudge_pause);
+// The same presses, all as much too early or too late as a person's.
+PinballOption DemoPlayer::delayed(const Game& game, PinballOption option) {
+    const double late = error(game.world, press_error) * game.world.rate();
+    for (TimedPress& press : option.presses)
+        press.after =
+            static_cast<std::uint64_t>(std::max(0.0, static_cast<double>(press.after) + late));
+    return option;
 }
 
 void DemoPlayer::meet(const Game& game, std::size_t ball) {
@@ -197,23 +200,18 @@ void DemoPlayer::meet(const Game& game, std::size_t ball) {
         }
     }
     if (best == 0 || most < idle + nudge_gain) {
+        const bool may_nudge = game.state.tilt_meter < still_meter && !game.state.is_tilted;
         const auto nudge =
-            may_nudge(game) ? best_nudge(game.sight, game.scene, *settings_, trial) : std::nullopt;
-        if (nudge && nudge->foreseen.safety > most + nudge_gain) {
-            nudged_at_ = game.world.tick();
-            return follow(game, *nudge);
-        }
+            may_nudge ? best_nudge(game.sight, game.scene, *settings_, trial) : std::nullopt;
+        if (nudge && nudge->foreseen.safety > most + nudge_gain)
+            return follow(game, delayed(game, *nudge));
     }
     if (best == 0) return;
     // A press that is due later is decided later, when the ball is nearer.
-    PinballOption chosen = options[best];
+    const PinballOption& chosen = options[best];
     if (chosen.presses.front().after > pinball_ticks(game.world, decides_every + pinball_reaction))
         return;
-    const double late = error(game.world, press_error) * game.world.rate();
-    for (TimedPress& press : chosen.presses)
-        press.after =
-            static_cast<std::uint64_t>(std::max(0.0, static_cast<double>(press.after) + late));
-    follow(game, chosen);
+    follow(game, delayed(game, chosen));
 }
 
 void DemoPlayer::decide(const Game& game) {

@@ -76,7 +76,7 @@ class DemoPlayer {
     void shoot(const Game& game);
     void meet(const Game& game, std::size_t ball);
     PinballTrial seen(const Game& game);
-    bool may_nudge(const Game& game) const;
+    PinballOption delayed(const Game& game, PinballOption option);
     void follow(const Game& game, const PinballOption& option);
     void watch_shot(const Game& game);
     double error(const World& world, double most);
@@ -90,8 +90,7 @@ class DemoPlayer {
     Shots shots_;
     std::uint64_t decides_at_ = 0;
     std::uint64_t acted_at_ = 0;  ///< the last press, or the last tick with no ball near
-    std::uint64_t nudged_at_ = 0;
-    std::uint64_t errors_ = 0;  ///< drawn so far
+    std::uint64_t errors_ = 0;    ///< drawn so far
     std::uint64_t seen_until_ = 0;
     std::uint64_t begins_at_ = 0;  ///< the tick at which it starts another game
 };

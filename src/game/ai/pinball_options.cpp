@@ -14,6 +14,7 @@ constexpr double press_step = 0.02;  // between the moments that are tried
 constexpr int press_moments = 6;
 constexpr double looks_ahead = 0.60;
 constexpr double nudge_time = 0.05;
+constexpr int nudge_moments = 3;
 
 }  // namespace
 
@@ -67,15 +68,26 @@ std::vector<PinballOption> ways_to_meet(const PinballSight& sight, const Scene& 
 std::optional<PinballOption> best_nudge(const PinballSight& sight, const Scene& scene,
                                         const SolverSettings& settings, const PinballTrial& trial) {
     Solver solver(settings);
-    const std::uint64_t after = pinball_ticks(trial.world, pinball_reaction);
-    const std::uint64_t until = after + pinball_ticks(trial.world, nudge_time);
+    const std::uint64_t first = pinball_ticks(trial.world, pinball_reaction);
+    const std::uint64_t step = pinball_ticks(trial.world, press_step);
+    const std::uint64_t lasts = pinball_ticks(trial.world, nudge_time);
     std::optional<PinballOption> best;
     for (const Button way : {Button::nudge_left, Button::nudge_right, Button::nudge_up}) {
         if (!has_button(scene, way)) continue;
-        PinballOption option{{{after, way, true}, {until, way, false}}, {}};
-        option.foreseen = play_ahead(sight, scene, solver, trial, option.presses,
-                                     pinball_ticks(trial.world, looks_ahead), true);
-        if (!best || option.foreseen.safety > best->foreseen.safety) best = std::move(option);
+        std::vector<PinballOption> options;
+        std::vector<double> values;
+        for (int moment = 0; moment < nudge_moments; ++moment) {
+            const std::uint64_t after = first + step * static_cast<std::uint64_t>(moment);
+            PinballOption option{{{after, way, true}, {after + lasts, way, false}}, {}};
+            option.foreseen = play_ahead(sight, scene, solver, trial, option.presses,
+                                         pinball_ticks(trial.world, looks_ahead), true);
+            values.push_back(option.foreseen.safety);
+            options.push_back(std::move(option));
+        }
+        for (std::size_t i = 0; i < options.size(); ++i) {
+            options[i].foreseen.safety = value_around(values, i, 1);
+            if (!best || options[i].foreseen.safety > best->foreseen.safety) best = options[i];
+        }
     }
     return best;
 }

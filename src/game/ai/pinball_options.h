@@ -32,7 +32,8 @@ std::vector<PinballOption> ways_to_meet(const PinballSight& sight, const Scene& 
                                         const SolverSettings& settings, PinballTrial trial,
                                         Button button);
 
-/// The nudge after which the balls are safest. None: the table has no nudge.
+/// The nudge after which the balls are safest, at the best of some moments soon. A nudge comes
+/// early or late, so the moments around it count too. None: the table has no nudge.
 std::optional<PinballOption> best_nudge(const PinballSight& sight, const Scene& scene,
                                         const SolverSettings& settings, const PinballTrial& trial);
 

@@ -74,8 +74,16 @@ bool PinballSight::is_lost(const World& world, std::size_t ball) const {
     const Vec2 at = world.balls().position[ball];
     if (!is_near(world, ball)) return false;
     if (at.y < tips_ - radius_) return true;
-    return at.y < std::min(left_pivot_.y, right_pivot_.y) &&
-           (at.x < left_pivot_.x - radius_ || at.x > right_pivot_.x + radius_);
+    return at.y < std::min(left_pivot_.y, right_pivot_.y) && is_outside_pivots(at);
+}
+
+bool PinballSight::is_beside(const World& world, std::size_t ball) const {
+    return is_near(world, ball) && !is_lost(world, ball) &&
+           is_outside_pivots(world.balls().position[ball]);
+}
+
+bool PinballSight::is_outside_pivots(Vec2 at) const {
+    return at.x < left_pivot_.x - radius_ || at.x > right_pivot_.x + radius_;
 }
 
 std::optional<std::size_t> PinballSight::cradle_of(const World& world, std::size_t ball,

@@ -23,6 +23,9 @@ class PinballSight {
     bool is_near(const World& world, std::size_t ball) const;
     /// Whether a ball has fallen past the lower flippers, between or beside them.
     bool is_lost(const World& world, std::size_t ball) const;
+    /// Whether a ball lies beside the lower flippers, where it depends on the lanes whether it
+    /// rolls to a flipper or is lost.
+    bool is_beside(const World& world, std::size_t ball) const;
     /// The raised flipper in whose cradle the ball lies, slower than `speed`, in radii a second.
     std::optional<std::size_t> cradle_of(const World& world, std::size_t ball, double speed) const;
     /// The button of the lower flipper on the ball's side of the middle.
@@ -37,6 +40,7 @@ class PinballSight {
     double safety(const World& world, const PinballState& state) const;
 
   private:
+    bool is_outside_pivots(Vec2 at) const;
     double safety_of(const World& world, const PinballState& state, std::size_t ball) const;
 
     const Scene* scene_;

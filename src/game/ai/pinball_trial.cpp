@@ -20,19 +20,25 @@ double value_of(double points) {
     return std::min(most_for_points, std::sqrt(std::max(0.0, points) / points_for_one));
 }
 
-enum class Prospect : std::uint8_t { near, away, lost };
+constexpr double time_in_lane = 0.8;  // s that a ball rolls down an inlane or an outlane, at most
 
-// `away`: no ball is near the flippers. `lost`: all balls are.
+enum class Prospect : std::uint8_t { near, beside, away, lost };
+
+// `away`: no ball is near the flippers. `beside`: one is in the lanes there. `lost`: all balls are.
 Prospect prospect_of(const PinballSight& sight, const Scene& scene, const PinballTrial& trial) {
     bool is_any_near = false;
+    bool is_any_beside = false;
     bool all_lost = true;
     for (std::size_t i = 0; i < trial.world.balls().size(); ++i) {
         if (!is_in_play(scene, trial.state, trial.world.balls().id[i])) continue;
         const bool is_lost = sight.is_lost(trial.world, i);
         all_lost = all_lost && is_lost;
         is_any_near = is_any_near || (!is_lost && sight.is_near(trial.world, i));
+        is_any_beside = is_any_beside || sight.is_beside(trial.world, i);
     }
-    return all_lost ? Prospect::lost : is_any_near ? Prospect::near : Prospect::away;
+    if (all_lost) return Prospect::lost;
+    if (is_any_beside) return Prospect::beside;
+    return is_any_near ? Prospect::near : Prospect::away;
 }
 
 /// The shots that the task asks for, and how often they are made.
@@ -83,9 +89,11 @@ Foreseen play_ahead(const PinballSight& sight, const Scene& scene, Solver& solve
     std::optional<std::uint32_t> lit_device;
     auto next = presses.begin();
     bool was_away = false;
-    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+    const auto longest = ticks + static_cast<std::uint64_t>(time_in_lane * trial.world.rate());
+    for (std::uint64_t tick = 0; tick < longest; ++tick) {
         const Prospect prospect = prospect_of(sight, scene, trial);
-        if (prospect == Prospect::lost || (was_away && prospect == Prospect::near)) break;
+        if (prospect == Prospect::lost || (was_away && prospect != Prospect::away)) break;
+        if (tick >= ticks && prospect != Prospect::beside) break;
         was_away = was_away || prospect == Prospect::away;
         if (was_away && ends_when_away) break;
         for (; next != presses.end() && next->after <= tick; ++next)

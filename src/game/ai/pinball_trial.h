@@ -44,7 +44,7 @@ void play_tick(const Scene& scene, Solver& solver, PinballTrial& trial);
 
 /// Plays the trial on, with these presses, ascending in time, and judges it after this many ticks,
 /// or once all balls are lost, or one is back near the flippers, or, if `ends_when_away`, none is
-/// near them any more.
+/// near them any more. A ball that is in a lane beside the flippers then is followed to its end.
 Foreseen play_ahead(const PinballSight& sight, const Scene& scene, Solver& solver,
                     PinballTrial trial, const std::vector<TimedPress>& presses, std::uint64_t ticks,
                     bool ends_when_away);
