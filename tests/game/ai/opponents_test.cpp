@@ -37,15 +37,27 @@ TEST_CASE("the ladder: seven people with names of their own, the better the high
 namespace {
 
 struct Choices {
+    void note(const CandidateShot& chosen) {
+        using enum CandidateShot::Kind;
+        if (chosen.kind == safety) ++safeties;
+        if (chosen.kind == safety || chosen.kind == break_off || chosen.kind == push_out) return;
+        ++pots;
+        speeds += length(chosen.strike.velocity);
+    }
+    double speed() const { return pots > 0 ? speeds / pots : 0.0; }
+
     int safeties = 0;
     int pots = 0;
-    double speed = 0.0;  ///< mean of the pots, m/s
+    double speeds = 0.0;  ///< sum over the pots, m/s
 };
 
-// What a style chooses in the positions of some frames that skill 2 plays, at each shot after the
-// break.
-Choices choices_of(const PlayStyle& style, const ShotNoise& noise) {
-    Choices all;
+/// What each style chooses in the positions of some frames that skill 2 plays without a style, at
+/// each shot after the break. The first style is that of the frames: none.
+template <std::size_t count>
+std::array<Choices, count> choices_of(const std::array<PlayStyle, count>& styles,
+                                      const ShotNoise& noise) {
+    REQUIRE(styles.front() == PlayStyle{});
+    std::array<Choices, count> all;
     const Scene scene = shipped_level("eight-ball");
     const SolverSettings settings = pick_solver(scene.world).settings;
     for (std::uint32_t frame = 0; frame < 2; ++frame) {
@@ -60,21 +72,14 @@ Choices choices_of(const PlayStyle& style, const ShotNoise& noise) {
                 commands = {command::Decide{choice_of(scene, world, play, noise)}};
             } else {
                 const std::uint64_t seed = decision_seed(world, play);
-                const auto best = [&](const PlayStyle& of) {
-                    ShotPlanner planner(scene, world, play, settings, noise, seed, of);
+                for (std::size_t i = 0; i < count; ++i) {
+                    ShotPlanner planner(scene, world, play, settings, noise, seed, styles[i]);
                     while (!planner.is_done())
                         planner.work(ShotPlanner::most_tries);
-                    return planner.best().front();
-                };
-                const CandidateShot chosen = best(style);
-                using enum CandidateShot::Kind;
-                if (chosen.kind == safety) ++all.safeties;
-                if (chosen.kind != safety && chosen.kind != break_off && chosen.kind != push_out) {
-                    ++all.pots;
-                    all.speed += length(chosen.strike.velocity);
+                    const CandidateShot chosen = planner.best().front();
+                    all[i].note(chosen);
+                    if (i == 0) commands = commands_of(scene, play, chosen, noise, seed);
                 }
-                // The position goes on as without a style, so that all styles see the same ones.
-                commands = commands_of(scene, play, best({}), noise, seed);
             }
             for (const Command& command : commands) {
                 REQUIRE_FALSE(refusal(scene, world, game, command));
@@ -86,7 +91,6 @@ Choices choices_of(const PlayStyle& style, const ShotNoise& noise) {
             }
         }
     }
-    if (all.pots > 0) all.speed /= all.pots;
     return all;
 }
 
@@ -96,12 +100,12 @@ TEST_CASE(
     "styles: in the same positions the safe play more safeties than the bold, the fast hit "
     "harder") {
     const ShotNoise noise = shot_noise(2);
-    const Choices even = choices_of({}, noise);
-    const Choices safe = choices_of({.safety = 0.25, .risk = -0.2}, noise);
-    const Choices bold = choices_of({.safety = -0.5, .risk = 0.35}, noise);
-    const Choices fast = choices_of({.pace = 0.06}, noise);
+    const auto [even, safe, bold, fast] =
+        choices_of(std::array{PlayStyle{}, PlayStyle{.safety = 0.25, .risk = -0.2},
+                              PlayStyle{.safety = -0.5, .risk = 0.35}, PlayStyle{.pace = 0.06}},
+                   noise);
     CHECK(safe.safeties >= even.safeties);
     CHECK(safe.safeties > bold.safeties);
     CHECK(bold.pots >= even.pots);
-    CHECK(fast.speed > even.speed);
+    CHECK(fast.speed() > even.speed());
 }

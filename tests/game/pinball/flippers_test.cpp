@@ -279,8 +279,8 @@ TEST_CASE("post pass: a tap near the pivot sends the ball across, off the slings
         if (!has_slingshots(scene)) return;
         const FlipperBench cradle = cradled(scene, lane);
         int made = 0;
-        for (int rolls = 100; rolls <= 220; rolls += 5)
-            for (int taps = 8; taps <= 20; taps += 3) {
+        for (int rolls = 100; rolls <= 220 && made < 1; rolls += 5)
+            for (int taps = 8; taps <= 20 && made < 1; taps += 3) {
                 const Pass passed = pass(scene, lane, cradle, rolls * 0.001, taps * 0.001);
                 if (passed.arrives && passed.turned > 0.0 && passed.turned < 0.12) ++made;
             }
@@ -292,8 +292,8 @@ TEST_CASE("tap pass: a short tap under a ball near the tip lifts it across to th
     on_each_lane([](const Scene& scene, const Inlane& lane) {
         const FlipperBench cradle = cradled(scene, lane);
         int made = 0;
-        for (int rolls = 260; rolls <= 500; rolls += 20)
-            for (int taps = 2; taps <= 7; ++taps) {
+        for (int rolls = 260; rolls <= 500 && made < 3; rolls += 20)
+            for (int taps = 2; taps <= 7 && made < 3; ++taps) {
                 const Pass passed = pass(scene, lane, cradle, rolls * 0.001, taps * 0.001);
                 if (passed.arrives && passed.turned == 0.0 && passed.highest < 0.12) ++made;
             }
