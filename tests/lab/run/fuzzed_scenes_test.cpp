@@ -10,6 +10,7 @@
 #include "bits/recording_writer.h"
 #include "lab/support/fuzzed_scene.h"
 #include "physics/solver.h"
+#include "support/sanitizers.h"
 
 // Random scenes keep what every tick must keep, under every solver. scripts/check-scenes runs as
 // many of them as one likes.
@@ -57,13 +58,13 @@ TEST_CASE("a number makes the same fuzzed scene with every compiler") {
 }
 
 TEST_CASE("fuzzed scenes keep the invariants") {
-    for (std::uint64_t number = 1; number <= 100; ++number)
+    for (std::uint64_t number = 1; number <= (has_sanitizers ? 30 : 100); ++number)
         check_scene(number);
 }
 
 // Balls may have radii of some roundings of their coordinates.
 TEST_CASE("fuzzed scenes with grains keep the invariants") {
-    for (std::uint64_t number = 180; number <= 220; ++number)
+    for (std::uint64_t number = 180; number <= (has_sanitizers ? 195 : 220); ++number)
         check_scene(number, bits::grain_decade);
 }
 
