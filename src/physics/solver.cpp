@@ -72,7 +72,7 @@ bool supports(SolverKind kind, const Model& model) {
 
 bool uses_hybrid_step(const Model& model, const SolverSettings& settings) {
     return settings.kind == SolverKind::event && !settings.extended && model.gravity &&
-           model.inelastic && (model.ball_ball || model.hinged);
+           loses_energy(model) && (model.ball_ball || model.hinged);
 }
 
 struct Solver::State {

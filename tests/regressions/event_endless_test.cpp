@@ -10,7 +10,8 @@
 
 // Ticks of the solver `event` that did not end. A ball on the border of two cells was transferred
 // back and forth; a ball that slid along an edge, overlapping it by less than rounding, met the
-// edge's end again and again; a ball dragged into a wedge bounced between its two sides.
+// edge's end again and again; a ball dragged into a wedge bounced between its two sides; elastic
+// balls that drag or friction brought to rest on one another collided ever faster.
 
 using namespace carom;
 
@@ -137,4 +138,33 @@ TEST_CASE("event: a slip on cloth that is shorter than the clock resolves ends a
                      .roll = Vec2{-0.60241657068506416, 0.23396926626568393}});
     CHECK(ends(world, 20));
     CHECK(length(world.balls().position[0] - corner) < 1e-3);
+}
+
+TEST_CASE("event: elastic balls that drag or friction brings to rest collide no more than others") {
+    const auto collisions_of_last_second = [](auto lose) {
+        World world = scenes::empty();
+        world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+        world.edit_definition().rate = 120.0;
+        lose(world.edit_definition());
+        scenes::add_walls(world, {{0.0, 0.0}, {11.7, 15.0}});
+        for (int i = 0; i < 12; ++i)
+            add_ball(world, {.position = {1.5 + 2.6 * (i % 4) + 0.3 * (i / 4), 3.0 + 2.5 * (i / 4)},
+                             .radius = 1.0,
+                             .restitution = 1.0});
+        Solver solver({.kind = SolverKind::event});
+        for (int tick = 0; tick < 9 * 120; ++tick)
+            solver.tick(world);
+        const std::uint64_t before = world.ball_ball_collisions();
+        for (int tick = 0; tick < 120; ++tick)
+            solver.tick(world);
+        return world.ball_ball_collisions() - before;
+    };
+    // One for each ball in a tick.
+    const std::uint64_t most = 12 * 120;
+    CHECK(collisions_of_last_second([](Definition& d) { d.model.drag = 2.0; }) < most);
+    CHECK(collisions_of_last_second([](Definition& d) {
+              d.model.spin = 0.5;
+              d.kinds[0].friction = 0.4;
+              d.materials[0].friction = 0.4;
+          }) < most);
 }

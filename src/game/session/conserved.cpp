@@ -15,7 +15,7 @@ bool is_closed(const World& world) {
 }
 
 bool is_without_loss(const Model& model) {
-    return !model.inelastic && !model.drag && !model.stop_speed && !model.speed_limit;
+    return !loses_energy(model) && !model.speed_limit;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@ namespace carom {
 void TickUndo::note(const World& world) {
     balls_ = world.balls();
     inelastic_ = world.model().inelastic;
+    rough_ = world.model().rough;
     next_ball_ = world.next_ball();
     emitters_ = world.emitters();
     held_balls_ = world.held_balls();
@@ -19,6 +20,7 @@ void TickUndo::note(const World& world) {
 void TickUndo::take_back(World& world) const {
     world.edit_balls() = balls_;
     world.edit_definition().model.inelastic = inelastic_;
+    world.edit_definition().model.rough = rough_;
     world.edit_ids().next_ball = next_ball_;
     world.edit_emitters() = emitters_;
     if (!held_balls_.empty()) world.edit_held_balls() = held_balls_;

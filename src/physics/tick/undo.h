@@ -26,6 +26,7 @@ class TickUndo {
   private:
     Balls balls_;
     bool inelastic_ = false;
+    bool rough_ = false;
     std::uint32_t next_ball_ = 0;
     std::vector<Emitter> emitters_;
     std::vector<HeldBall> held_balls_;

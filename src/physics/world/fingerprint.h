@@ -28,7 +28,7 @@ inline constexpr int fingerprint_version = 2;
 ///
 /// It leaves out what a level fixes for good (kinds, materials, the rest of the model); the next
 /// ids, the list of removed balls and the counts of collisions; stamps; and the flags that edits
-/// set in the model (inelastic, one_way), whose effect is in the columns.
+/// set in the model (inelastic, rough, one_way), whose effect is in the columns.
 ///
 /// Equal worlds have equal fingerprints on every machine. Two worlds that differ in what is hashed
 /// have the same fingerprint with a chance of about 2^-64. Cost: one multiplication for each number

@@ -6,6 +6,10 @@
 
 namespace carom {
 
+bool loses_energy(const Model& model) {
+    return model.inelastic || (model.spin && model.rough) || model.drag || model.stop_speed;
+}
+
 std::vector<std::string> terms_in_force(const Model& model) {
     std::vector<std::string> terms;
     if (model.gravity)

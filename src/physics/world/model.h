@@ -51,6 +51,8 @@ struct Model {
     std::optional<Box> wrap;
     /// Some restitution is below 1, or some edge is soft: balls carry a restitution.
     bool inelastic = false;
+    /// Some ball or edge has friction, which acts in scenes with `spin`.
+    bool rough = false;
     /// Some capsules push only balls on one of their sides, or none for the moment.
     bool one_way = false;
     /// Some edges kick what hits them: Material::kick.
@@ -68,6 +70,10 @@ struct Model {
 
     friend bool operator==(const Model&, const Model&) = default;
 };
+
+/// Whether impacts, slip, drag or the stop speed take energy for good: then gravity brings balls to
+/// rest on one another, even those with a restitution of 1.
+bool loses_energy(const Model& model);
 
 /// The terms in force, in a fixed order, for people: "gravity 0,-9.81", "restitution", "wrap" ...
 /// An elastic gas has none.

@@ -49,6 +49,10 @@ void put_held(std::vector<Held>& list, const Held& held) {
         list.insert(place, held);
 }
 
+void become_rough(World& world) {
+    if (!world.model().rough) world.edit_definition().model.rough = true;
+}
+
 void become_one_way(World& world) {
     if (world.model().one_way) return;
     world.edit_definition().model.one_way = true;
@@ -109,6 +113,7 @@ BallId add_ball(World& world, const BallSpec& spec) {
     const Kind& kind = world.kinds()[spec.kind];
     assert(spec.mass.value_or(kind.mass) > 0.0);
     if (spec.restitution.value_or(kind.restitution) < 1.0) become_inelastic(world);
+    if (kind.friction > 0.0) become_rough(world);
     const BallId id = world.edit_ids().take_ball();
     Balls& balls = world.edit_balls();
     Balls::for_each_column([&](const auto& column) {
@@ -139,6 +144,7 @@ BallSpec spec_at_rest(const World& world, std::size_t index, Vec2 position) {
 CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material, Side side) {
     const Material& made_of = world.materials()[material];
     if (made_of.restitution < 1.0 || made_of.soften > 0.0) become_inelastic(world);
+    if (made_of.friction > 0.0) become_rough(world);
     if (made_of.kick > 0.0) world.edit_definition().model.kicks = true;
     if (side != Side::both) become_one_way(world);
     const CapsuleId id = world.edit_ids().take_capsule();

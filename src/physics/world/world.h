@@ -109,7 +109,7 @@ class World {
 std::size_t bytes_of(const World& world);
 
 /// Pre: kind is an index into World::kinds(); radius and mass positive and finite. A restitution
-/// below 1 sets Model::inelastic.
+/// below 1 sets Model::inelastic, and a kind with friction Model::rough.
 BallId add_ball(World& world, const BallSpec& spec);
 
 /// Sets Model::inelastic. Balls that are there stay elastic.
@@ -121,8 +121,8 @@ BallSpec spec_of(const World& world, std::size_t index);
 BallSpec spec_at_rest(const World& world, std::size_t index, Vec2 position);
 
 /// Pre: material is an index into World::materials(). A material with restitution below 1 or soften
-/// > 0 sets Model::inelastic, a material with a kick sets Model::kicks, and a side other than both
-/// sets Model::one_way.
+/// > 0 sets Model::inelastic, one with friction Model::rough, one with a kick Model::kicks, and a
+/// side other than both sets Model::one_way.
 CapsuleId add_capsule(World& world, const Capsule& shape, ClassIndex material,
                       Side side = Side::both);
 

@@ -27,6 +27,10 @@ TEST_CASE("losses, limits, emitters, sinks and held balls end the conservation o
         return conserves_energy(world);
     };
     CHECK_FALSE(with([](World& w) { w.edit_definition().model.inelastic = true; }));
+    CHECK_FALSE(with([](World& w) {
+        w.edit_definition().model.spin = 0.5;
+        w.edit_definition().model.rough = true;
+    }));
     CHECK_FALSE(with([](World& w) { w.edit_definition().model.drag = 0.1; }));
     CHECK_FALSE(with([](World& w) { w.edit_definition().model.stop_speed = 0.1; }));
     CHECK_FALSE(with([](World& w) { w.edit_definition().model.speed_limit = 10.0; }));

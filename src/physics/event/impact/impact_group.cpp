@@ -57,7 +57,7 @@ Real ImpactGroup<Real>::least_approach_of(const ContactPoint<Real>& point, bool 
 // together would otherwise be separated again and again by slow approaches.
 template <typename Real>
 Real ImpactGroup<Real>::pressing_speed(const ContactPoint<Real>& point) const {
-    if (!scene_.world->model().gravity || !scene_.world->model().inelastic) return Real{};
+    if (!(scene_.field.pressing > Real{})) return Real{};
     double height = rest_height;
     if (point.kind == EventKind::ball_ball && !cluster_.bodies()[point.contact.a].was_resting &&
         !cluster_.bodies()[point.contact.b].was_resting)

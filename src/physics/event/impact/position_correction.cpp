@@ -9,7 +9,7 @@ namespace carom {
 template <typename Real>
 bool PositionCorrection<Real>::is_paid() const {
     const Model& model = scene_.world->model();
-    return model.gravity && model.inelastic && !model.cloth;
+    return model.gravity && loses_energy(model) && !model.cloth;
 }
 
 template <typename Real>

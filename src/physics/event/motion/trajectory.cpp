@@ -103,7 +103,7 @@ Field<Real> field_of(const Model& model) {
     field.gravity = Vector<Real>(model.gravity.value_or(Vec2{}) + Vec2{});  // + 0 clears -0
     field.has_drag = model.drag.has_value();
     field.drag = Real(model.drag.value_or(0.0));
-    if (model.inelastic) field.pressing = length(field.gravity);
+    if (loses_energy(model)) field.pressing = length(field.gravity);
     return field;
 }
 

@@ -60,7 +60,7 @@ struct Field {
     Vector<Real> gravity;
     Real drag{};  ///< 1/s; 0: none
     bool has_drag = false;
-    /// The length of gravity if impacts lose energy, so that balls come to be pressed together;
+    /// The length of gravity if the scene loses energy, so that balls come to be pressed together;
     /// else 0. Not a force: thresholds for pressed bodies scale with it. length/s^2.
     Real pressing{};
 };

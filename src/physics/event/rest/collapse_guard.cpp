@@ -32,7 +32,7 @@ void CollapseGuard<Real>::freeze_if_due(std::uint32_t ball, bool is_jammed) {
     const LinearPart<Real>& line = balls_[ball].line;
     const bool is_due =
         is_jammed ? line.recent_collisions > most_recent_collisions
-                  : line.recent_collisions > most_collisions_before_freezing && model.inelastic;
+                  : line.recent_collisions > most_collisions_before_freezing && loses_energy(model);
     if (!is_due || !model.gravity) return;
     if (line.motion == Motion::resting || line.motion == Motion::held) return;
     const bool is_fast = Real(2.0) * length(scene_.field.gravity) * balls_.radius(ball) <
@@ -46,7 +46,7 @@ void CollapseGuard<Real>::freeze_if_due(std::uint32_t ball, bool is_jammed) {
 template <typename Real>
 bool CollapseGuard<Real>::may_be_clustered(std::uint32_t ball) const {
     const Model& model = scene_.world->model();
-    return model.gravity && model.inelastic && balls_[ball].line.motion != Motion::held;
+    return model.gravity && loses_energy(model) && balls_[ball].line.motion != Motion::held;
 }
 
 template <typename Real>
