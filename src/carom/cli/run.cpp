@@ -114,7 +114,10 @@ void Run::simulate() {
     outputs_.write_start(world_);
     Progress progress(input_.ticks);
     while (world_.tick() < input_.ticks && !refused_ && InterruptGuard::signal() == 0) {
-        if (check_) check_->note_start(world_);
+        if (check_) {
+            check_->change_solver(solver_.settings().kind, world_);
+            check_->note_start(world_);
+        }
         const Clock::time_point before = Clock::now();
         const TickOutcome outcome =
             solver_.tick(world_, [] { return InterruptGuard::signal() == 0; });

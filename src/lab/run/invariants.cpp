@@ -63,7 +63,8 @@ constexpr std::uint64_t edge_mark = std::uint64_t{1} << 32;
 }  // namespace
 
 InvariantCheck::InvariantCheck(const Scene& scene, SolverKind solver)
-    : promise_(promise_of(solver)),
+    : solver_(solver),
+      promise_(promise_of(solver)),
       energy_(promise_, solver != SolverKind::contact, scene.world),
       escape_(scene) {
     const World& world = scene.world;
@@ -74,6 +75,14 @@ InvariantCheck::InvariantCheck(const Scene& scene, SolverKind solver)
     escaped_ = escape_.escaped(world);
     exempt_deep_pairs(world);
     remember(world);
+}
+
+void InvariantCheck::change_solver(SolverKind solver, const World& world) {
+    if (solver == solver_) return;
+    solver_ = solver;
+    promise_ = promise_of(solver);
+    energy_ = EnergyCheck(promise_, solver != SolverKind::contact, world);
+    exempt_deep_pairs(world);
 }
 
 void InvariantCheck::exempt_deep_pairs(const World& world) {

@@ -46,6 +46,9 @@ class InvariantCheck {
   public:
     InvariantCheck(const Scene& scene, SolverKind solver);
 
+    /// From now on this solver's promises count, for what it makes of the present world. Pre:
+    /// called before `note_start`. Nothing happens if it is the solver already.
+    void change_solver(SolverKind solver, const World& world);
     /// Takes over what commands and the rules of a game have changed since the last tick, which is
     /// not the solver's doing: energy that they added or removed becomes part of the baseline, and
     /// pairs that they made overlap are exempt until they have separated. Pre: called before every
@@ -71,6 +74,7 @@ class InvariantCheck {
     template <typename Visit>
     void for_each_overlap(const World& world, Visit&& visit) const;
 
+    SolverKind solver_;
     Promise promise_;
     EnergyCheck energy_;
     EscapeWatch escape_;

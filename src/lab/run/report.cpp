@@ -145,6 +145,21 @@ void write_expects(JsonWriter& json, const Scene& scene, const RunRecord& record
     json.end_list();
 }
 
+void write_solver_changes(JsonWriter& json, const RunRecord& record) {
+    if (record.solver_changes.empty()) return;
+    json.key("solver_changes");
+    json.begin_list(Layout::lines);
+    for (const SolverChange& change : record.solver_changes) {
+        json.begin_object(Layout::one_line);
+        json.field("tick", change.tick);
+        json.field("solver", name(change.settings.kind));
+        json.key("settings");
+        write_settings(json, change.settings);
+        json.end_object();
+    }
+    json.end_list();
+}
+
 void write_cost(JsonWriter& json, const RunRecord& record, double seconds) {
     const double ball_ticks = static_cast<double>(record.ball_ticks);
     json.key("cost");
@@ -164,6 +179,7 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     json.field("solver", name(record.solver.kind));
     json.key("settings");
     write_settings(json, record.solver);
+    write_solver_changes(json, record);
     json.field("rate", world.rate());
     json.field("seed", world.seed());
     json.field("ticks", world.tick());

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "lab/run/choice.h"
@@ -67,6 +70,16 @@ std::string summary_of_game(const RunRecord& record) {
     return text.empty() ? text : text + "\n";
 }
 
+// "event", or "event, then contact substeps=4": each once, in the order of their first ticks.
+std::string solvers_of(const RunRecord& record) {
+    std::vector<std::string> texts{settings_text(record.solver, SettingsText::used)};
+    for (const SolverChange& change : record.solver_changes) {
+        std::string text = settings_text(change.settings, SettingsText::used);
+        if (std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
+    }
+    return fmt::format("{}", fmt::join(texts, ", then "));
+}
+
 }  // namespace
 
 std::string summary(const Scene& scene, const World& world, const RunRecord& record,
@@ -82,9 +95,9 @@ std::string summary(const Scene& scene, const World& world, const RunRecord& rec
         "{}{}"
         "fingerprint {}\n",
         scene.title.empty() ? scene.file : scene.title, world.time(), world.tick(),
-        settings_text(record.solver, SettingsText::used), seconds, world.balls().size(),
-        world.removed().size(), world.ball_ball_collisions(), world.ball_edge_collisions(), start,
-        end, change_of(start, end), summary_of_figures(record, world), summary_of_game(record),
+        solvers_of(record), seconds, world.balls().size(), world.removed().size(),
+        world.ball_ball_collisions(), world.ball_edge_collisions(), start, end,
+        change_of(start, end), summary_of_figures(record, world), summary_of_game(record),
         hexadecimal(fingerprint(world)));
 }
 

@@ -14,10 +14,20 @@ void judge_all(RunRecord& record, const Scene& scene, const World& world, bool i
         judge(scene.expects[i], world, record.watch, is_last, record.judgements[i]);
 }
 
+// A command of the start changes the solver before it has done anything.
+void note_solver(RunRecord& record, std::uint64_t ticks_before, const SolverSettings& settings) {
+    if (ticks_before == 0) record.solver = settings;
+    const SolverSettings& known =
+        record.solver_changes.empty() ? record.solver : record.solver_changes.back().settings;
+    if (settings != known)
+        record.solver_changes.push_back({.tick = ticks_before, .settings = settings});
+}
+
 }  // namespace
 
 RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
     RunRecord record{.solver = solver,
+                     .solver_changes = {},
                      .totals_start = totals(scene.world),
                      .watch = RunWatch(scene, RunWatch::Conservation::ignored),
                      .notes = {},
@@ -32,6 +42,7 @@ RunRecord begin_record(const Scene& scene, const SolverSettings& solver) {
 
 void note_tick(RunRecord& record, const Scene& scene, const World& world, const Solver& solver,
                const RuleState* rules) {
+    note_solver(record, world.tick() - scene.world.tick() - 1, solver.settings());
     record.watch.note_tick(world);
     record.watch.observe_tick(scene, world, solver.contacts());
     record.ball_ticks += world.balls().size();

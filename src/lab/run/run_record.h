@@ -15,9 +15,16 @@
 
 namespace carom {
 
+/// A command chose other settings, or another solver, after this tick.
+struct SolverChange {
+    std::uint64_t tick = 0;
+    SolverSettings settings;
+};
+
 /// The data that a run collects for its report.
 struct RunRecord {
-    SolverSettings solver;
+    SolverSettings solver;                     ///< of the first tick
+    std::vector<SolverChange> solver_changes;  ///< later ones
     Totals totals_start;
     RunWatch watch;
     RunNotes notes;

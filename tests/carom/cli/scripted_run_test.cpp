@@ -183,3 +183,23 @@ TEST_CASE("docs/command-line.md lists every command, as scripts take it") {
         is_listed[command.command.index()] = true;
     CHECK(is_listed == std::vector<bool>(std::variant_size_v<Command>, true));
 }
+
+TEST_CASE("a run names the solvers that did its ticks, and checks what each promises") {
+    const Folder folder;
+    const auto run_with = [&](const std::string& commands, std::vector<std::string> more) {
+        more.insert(more.begin(), {"run", folder.level, "--ticks", "20", "--solver", "event",
+                                   "--commands", folder.file("solvers.txt", commands)});
+        return run_carom(more).out;
+    };
+    // A command of tick 0 comes before anything that the first solver could do.
+    CHECK(has(run_with("at 0 solver swept\n", {}), "ticks by swept substeps=1, in"));
+    CHECK(has(run_with("at 0 solver swept\nat 5 solver contact\nat 9 solver swept\n", {}),
+              "ticks by swept substeps=1, then contact substeps=4, in"));
+    CHECK(has(run_with("at 5 solver event\n", {}), "ticks by event, in"));
+
+    const std::string changed = run_with("at 5 solver contact\n", {"--check", "--report", "-"});
+    CHECK(has(changed, "\"solver\": \"event\""));
+    CHECK(has(changed, "{\"tick\": 5, \"solver\": \"contact\", \"settings\": {\"substeps\": 4}}"));
+    CHECK_FALSE(
+        has(run_with("at 0 solver contact\n", {"--check", "--report", "-"}), "solver_changes"));
+}

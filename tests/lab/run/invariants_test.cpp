@@ -245,3 +245,19 @@ TEST_CASE("invariants: under event, only the balls of a cluster may overlap as u
         CHECK(breach.has_value() == !is_clustered);
     }
 }
+
+TEST_CASE("invariants: a run is held to the promises of the solver in force") {
+    for (const SolverKind later : {SolverKind::event, SolverKind::discrete}) {
+        const bool is_bound = later == SolverKind::event;
+        Run run(is_bound ? SolverKind::discrete : SolverKind::event);
+        REQUIRE(!run.tick());
+        run.solver = Solver({.kind = later});
+        run.check.change_solver(later, run.world);
+        REQUIRE(!run.tick());
+        run.check.note_start(run.world);
+        run.solver.tick(run.world);
+        for (Vec2& velocity : run.world.edit_balls().velocity)
+            velocity = velocity * 1.01;
+        CHECK(run.check.note_tick(run.world, false).has_value() == is_bound);
+    }
+}
