@@ -70,6 +70,15 @@ EnergyCheck::EnergyCheck(const Promise& promise, bool reports_impulses, const Wo
     remember(world);
 }
 
+void EnergyCheck::change_promise(const Promise& promise, bool reports_impulses,
+                                 const World& world) {
+    promise_ = promise;
+    reports_impulses_ = reports_impulses;
+    clustered_gain_ = 0.0;
+    restart(world);
+    remember(world);
+}
+
 void EnergyCheck::begin(const World& world) {
     is_hybrid_step_ = !event_memory(world).clustered.empty();
 }

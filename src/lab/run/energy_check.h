@@ -19,6 +19,8 @@ class EnergyCheck {
     /// `reports_impulses`: the solver reports all contacts, with their impulses.
     EnergyCheck(const Promise& promise, bool reports_impulses, const World& world);
 
+    /// Another solver's promise counts from now on, with the largest energy in play so far.
+    void change_promise(const Promise& promise, bool reports_impulses, const World& world);
     /// A tick begins: notes whether it begins with dense clusters.
     void begin(const World& world);
     /// What has changed since the last tick is not the solver's doing.

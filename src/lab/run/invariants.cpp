@@ -81,7 +81,7 @@ void InvariantCheck::change_solver(SolverKind solver, const World& world) {
     if (solver == solver_) return;
     solver_ = solver;
     promise_ = promise_of(solver);
-    energy_ = EnergyCheck(promise_, solver != SolverKind::contact, world);
+    energy_.change_promise(promise_, solver != SolverKind::contact, world);
     exempt_deep_pairs(world);
 }
 

@@ -261,3 +261,20 @@ TEST_CASE("invariants: a run is held to the promises of the solver in force") {
         CHECK(run.check.note_tick(run.world, false).has_value() == is_bound);
     }
 }
+
+// Regression: after a command `solver` only the energy of the slow balls that were left counted,
+// and a heap was said to have gained more than `event` promises.
+TEST_CASE("invariants: a promise about energy is a share of all that was in play in the run") {
+    Run run(SolverKind::event);
+    REQUIRE(!run.tick());
+    for (Vec2& velocity : run.world.edit_balls().velocity)
+        velocity = velocity * 0.1;
+    run.solver = Solver({.kind = SolverKind::swept});
+    run.check.change_solver(SolverKind::swept, run.world);
+    run.check.note_start(run.world);
+    run.solver.tick(run.world);
+    for (Vec2& velocity : run.world.edit_balls().velocity)
+        velocity = velocity * 1.01;
+    const auto breach = run.check.note_tick(run.world, false);
+    if (breach) FAIL(text(*breach, run.world.rate()));
+}
