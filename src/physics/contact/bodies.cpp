@@ -41,6 +41,7 @@ ContactSubstep contact_substep(const World& world, int count, bool is_strict) {
     step.spins = world.model().spin.has_value();
     if (step.spins) {
         step.spin_ease = 1.0 / *world.model().spin;
+        step.spin_share = 1.0 / step.spin_ease;
         step.friction_mass = 1.0 / (1.0 + step.spin_ease);
     }
     return step;

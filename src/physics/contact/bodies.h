@@ -37,6 +37,7 @@ struct ContactSubstep {
     double fall = 0.0;        ///< bound of what gravity adds to a displacement, length
     ContactSoftness softness;
     double spin_ease = 2.0;            ///< m r^2 / inertia
+    double spin_share = 0.5;           ///< inertia / (m r^2)
     double friction_mass = 1.0 / 3.0;  ///< mass that friction moves, of a contact's mass
 
     /// Whether the constraints of later substeps are trusted to part bodies that sink in.
@@ -111,12 +112,13 @@ struct ContactPair {
     std::int8_t across = 0;  ///< which image of the edge on a torus
     std::int8_t along = 0;
     ContactState state = ContactState::idle;
-    bool bounces : 1 = false;       ///< restitution above 0
-    bool is_inelastic : 1 = false;  ///< restitution above 0 and below 1
-    bool is_kinematic : 1 = false;  ///< one of the bodies is
-    bool is_new : 1 = true;         ///< did not press yet: no contact has been reported
-    bool has_settled : 1 = false;   ///< came to rest at an impact in this substep
-    bool is_hinged : 1 = false;     ///< b is a point of a seesaw, of which `mass` knows
+    bool bounces : 1 = false;              ///< restitution above 0
+    bool is_inelastic : 1 = false;         ///< restitution above 0 and below 1
+    bool is_kinematic : 1 = false;         ///< one of the bodies is
+    bool is_new : 1 = true;                ///< did not press yet: no contact has been reported
+    bool has_settled : 1 = false;          ///< came to rest at an impact in this substep
+    bool is_hinged : 1 = false;            ///< b is a point of a seesaw, of which `mass` knows
+    bool has_high_mass_ratio : 1 = false;  ///< the masses of the two balls are far apart
 
     bool is_on_edge() const { return edge != NearPair::no_edge; }
 };

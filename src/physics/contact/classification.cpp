@@ -118,13 +118,6 @@ bool ContactClassification::is_enclosed(const ContactPair& pair) const {
             contacts_on_[pair.b] >= contact_tolerance::enclosed_contacts);
 }
 
-bool ContactClassification::has_high_mass_ratio(const ContactPair& pair) const {
-    const double a = bodies_.body[pair.a].inverse_mass;
-    const double b = bodies_.body[pair.b].inverse_mass;
-    return a > 0.0 && b > 0.0 &&
-           std::max(a, b) >= contact_tolerance::high_mass_ratio * std::min(a, b);
-}
-
 // Whether a ball meets a piece of a curve because the curve turns, and not because gravity presses
 // the ball on it in this substep.
 bool ContactClassification::is_led_by_curve(const World& world, const ContactPair& pair,
@@ -149,7 +142,10 @@ inline ContactState ContactClassification::state_of(const World& world,
     using enum ContactState;
     Vec2 relative = bodies_.start_velocity[pair.a] - bodies_.start_velocity[pair.b];
     const Vec2 without_fall = relative;
-    if (bodies_.is_kinematic(pair.b)) relative += step_.gravity * step_.duration;
+    // Without special terms all balls move.
+    const bool is_b_kinematic =
+        terms.special() ? bodies_.is_kinematic(pair.b) : !bodies_.is_ball(pair.b);
+    if (is_b_kinematic) relative += step_.gravity * step_.duration;
     if (terms.special() && bodies_.is_kinematic(pair.a)) relative -= step_.gravity * step_.duration;
     const double approach = -dot(relative, pair.normal);
     if (pair.separation - approach * step_.duration > closing_gap(bodies_)) return idle;
@@ -162,7 +158,7 @@ inline ContactState ContactClassification::state_of(const World& world,
     // A kinematic body that touches goes on pushing, however far its target: it can be held back.
     const bool is_fast =
         length_squared(relative) > most * most && !(pushed && pair.separation <= 0.0);
-    if (approach > 0.0 && is_fast) return ccd;
+    if (is_fast && approach > 0.0) return ccd;
     if (pair.bounces && !pushed) {
         if (step_.rest_speed == 0.0) return approach > 0.0 ? ccd : idle;
         // Bodies that overlap meet at once, before gravity has made the approach any faster.
@@ -187,8 +183,8 @@ void ContactClassification::classify_all(const World& world) {
     constraints_.clear();
     ccd_.clear();
     hinged_.clear();
-    any_high_mass_ratio_ = false;
-    deepest_ = 0.0;
+    bool any_high_mass_ratio = false;
+    double deepest = 0.0;
     for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
         ContactPair& pair = pairs_[p];
         measure<terms>(world, pair);
@@ -201,13 +197,15 @@ void ContactClassification::classify_all(const World& world) {
         }
         if (terms.special() && pair.is_hinged) {
             hinged_.push_back(p);
-            deepest_ = std::min(deepest_, pair.separation);
+            deepest = std::min(deepest, pair.separation);
             continue;
         }
         constraints_.push_back(p);
-        any_high_mass_ratio_ = any_high_mass_ratio_ || has_high_mass_ratio(pair);
-        deepest_ = std::min(deepest_, pair.separation);
+        any_high_mass_ratio |= pair.has_high_mass_ratio;
+        deepest = std::min(deepest, pair.separation);
     }
+    any_high_mass_ratio_ = any_high_mass_ratio;
+    deepest_ = deepest;
 }
 
 void ContactClassification::classify(const World& world) {

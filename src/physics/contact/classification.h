@@ -52,8 +52,6 @@ class ContactClassification {
 
     /// Whether the two have no room to bounce.
     bool is_enclosed(const ContactPair& pair) const;
-    /// Whether the masses of the two balls are far apart.
-    bool has_high_mass_ratio(const ContactPair& pair) const;
 
   private:
     template <Terms terms>

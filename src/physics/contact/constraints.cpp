@@ -60,14 +60,15 @@ void ContactConstraints::begin_all() {
             .impulse = pair.impulse,
             .tangential_impulse = pair.tangential_impulse,
             .friction = pair.friction};
+        // The last one is no neighbour of this one if it is one of the constraint before it.
+        if (k > 0 && (k == 1 || !constraints_[k - 2].has_neighbour))
+            constraints_[k - 1].has_neighbour = !share_body(constraints_[k - 1], constraints_[k]);
         if (!may_open && gap > deepest_held && gap < 0.0)
             constraints_[k].target = std::max(constraints_[k].target, holding_target(pair));
         apply<spin>(constraints_[k]);
         if (gap < 0.0) springs += pair.mass * gap * gap * (1.0 + stiffer);
     }
     energy_.begin_substep(0.5 * step_.softness.spring * springs);
-    for (std::size_t k = 0; k + 1 < constraints_.size(); k += constraints_[k].has_neighbour ? 2 : 1)
-        constraints_[k].has_neighbour = !share_body(constraints_[k], constraints_[k + 1]);
 }
 
 bool ContactConstraints::share_body(const ContactConstraint& one,
@@ -179,9 +180,7 @@ void ContactConstraints::find_loaded() {
     is_loaded_.assign(bodies_.body.size(), 0);
     for (auto k = static_cast<std::uint32_t>(constraints_.size()); k-- > 0;) {
         const ContactPair& pair = pairs_[constraints_[k].pair];
-        if (!is_loaded_[pair.a] && !is_loaded_[pair.b] &&
-            !classification_.has_high_mass_ratio(pair))
-            continue;
+        if (!is_loaded_[pair.a] && !is_loaded_[pair.b] && !pair.has_high_mass_ratio) continue;
         if (!bodies_.is_kinematic(pair.a)) is_loaded_[pair.a] = 1;
         if (!bodies_.is_kinematic(pair.b)) is_loaded_[pair.b] = 1;
         loaded_.push_back(k);

@@ -46,7 +46,6 @@ double ContactEnergy::energy_of_balls() const {
 // What all balls have gained in the substep. This runs in every substep.
 template <bool spin>
 double ContactEnergy::gain_of_balls() const {
-    const double ease = 1.0 / step_.spin_ease;
     double gain = 0.0;
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
         const ContactBody& body = bodies_.body[i];
@@ -54,7 +53,8 @@ double ContactEnergy::gain_of_balls() const {
         double squares = length_squared(body.velocity) - length_squared(bodies_.start_velocity[i]);
         if constexpr (spin) {
             const double before = bodies_.start_surface_speed[i];
-            squares += (body.surface_speed * body.surface_speed - before * before) * ease;
+            squares +=
+                (body.surface_speed * body.surface_speed - before * before) * step_.spin_share;
         }
         gain += (0.5 * squares - dot(step_.gravity, bodies_.displacement[i])) / body.inverse_mass;
     }

@@ -3,10 +3,21 @@
 #include <algorithm>
 
 #include "physics/contact/reference_positions.h"
+#include "physics/contact/tolerances.h"
 #include "physics/laws/contact_material.h"
 #include "physics/world/solver_access.h"
 
 namespace carom {
+namespace {
+
+// The masses of two balls. 0: a body that nothing moves.
+bool are_far_apart(double inverse_of_a, double inverse_of_b) {
+    return inverse_of_a > 0.0 && inverse_of_b > 0.0 &&
+           std::max(inverse_of_a, inverse_of_b) >=
+               contact_tolerance::high_mass_ratio * std::min(inverse_of_a, inverse_of_b);
+}
+
+}  // namespace
 
 void ContactPairs::sort(const World& world, ContactBodies& bodies) {
     const ReferencePositions& reference = contact_memory(world).reference;
@@ -50,7 +61,9 @@ ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodie
                                   std::span<const PersistentContact> last) const {
     const std::uint32_t ball = bodies.ball[near.a];
     const std::uint32_t b = near.b;
-    const double inverse = bodies.body[near.a].inverse_mass + bodies.body[b].inverse_mass;
+    const double inverse_of_a = bodies.body[near.a].inverse_mass;
+    const double inverse_of_b = bodies.body[b].inverse_mass;
+    const double inverse = inverse_of_a + inverse_of_b;
     ContactPair pair{.a = near.a,
                      .b = b,
                      .mass = inverse > 0.0 ? 1.0 / inverse : 0.0,
@@ -58,7 +71,8 @@ ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodie
                      .across = near.across,
                      .along = near.along,
                      .is_kinematic = b > bodies.fixed || bodies.is_kinematic(near.a) ||
-                                     (bodies.is_ball(b) && bodies.is_kinematic(b))};
+                                     (bodies.is_ball(b) && bodies.is_kinematic(b)),
+                     .has_high_mass_ratio = are_far_apart(inverse_of_a, inverse_of_b)};
     if (pair.is_on_edge()) {
         const Material& material = world.materials()[world.capsules().material[near.edge]];
         pair.bounces = material.restitution > 0.0 || world.model().scatter || material.kick > 0.0;

@@ -11,7 +11,15 @@ namespace {
 
 // Twice the kinetic energy for each unit of mass.
 double squares_of(const ContactSubstep& step, Vec2 velocity, double surface_speed) {
-    return length_squared(velocity) + surface_speed * surface_speed * (1.0 / step.spin_ease);
+    return length_squared(velocity) + surface_speed * surface_speed * step.spin_share;
+}
+
+// The energy at the start of the substep; the potential energy is 0 where the ball is now.
+double energy_before(const ContactSubstep& step, const ContactBodies& bodies, std::uint32_t ball) {
+    const double surface_speed = step.spins ? bodies.start_surface_speed[ball] : 0.0;
+    const double kinetic = 0.5 * squares_of(step, bodies.start_velocity[ball], surface_speed);
+    return (kinetic + dot(step.gravity, bodies.displacement[ball])) /
+           bodies.body[ball].inverse_mass;
 }
 
 }  // namespace
@@ -23,10 +31,7 @@ double kinetic_energy_of(const ContactSubstep& step, const ContactBodies& bodies
 }
 
 double gain_of(const ContactSubstep& step, const ContactBodies& bodies, std::uint32_t ball) {
-    const double surface_speed = step.spins ? bodies.start_surface_speed[ball] : 0.0;
-    const double before = 0.5 * squares_of(step, bodies.start_velocity[ball], surface_speed);
-    return kinetic_energy_of(step, bodies, ball) -
-           (before + dot(step.gravity, bodies.displacement[ball])) / bodies.body[ball].inverse_mass;
+    return kinetic_energy_of(step, bodies, ball) - energy_before(step, bodies, ball);
 }
 
 void PressGroup::join(const PressGroup& other) {
@@ -130,8 +135,9 @@ void PressGroups::sum_up() {
         const double mass = 1.0 / bodies_.body[i].inverse_mass;
         group.lift -= mass * dot(step_.gravity, bodies_.displacement[i]);
         // What impacts alone have given is not for the constraints to pay.
-        if (group.is_pressed) group.gain += gain_of(step_, bodies_, i);
-        group.kinetic += kinetic_energy_of(step_, bodies_, i);
+        const double kinetic = kinetic_energy_of(step_, bodies_, i);
+        if (group.is_pressed) group.gain += kinetic - energy_before(step_, bodies_, i);
+        group.kinetic += kinetic;
         group.mass += mass;
         group.momentum += bodies_.body[i].velocity * mass;
     }
