@@ -43,10 +43,13 @@ namespace carom {
 /// - `event`: what sinks in deeper than position correction opens goes to `contact`. Time stands
 ///   still for balls that are too fast for the rounding of time.
 /// - Seesaws: a stop ends the search of `event`. Under `contact` one that bounces may meet both
-/// stops
-///   in a substep. Under `swept` no ball rests on a fast one. Under `event` a hand that presses a
-///   ball on one yields.
+///   stops in a substep. Under `swept` no ball rests on a fast one. Under `event` a hand that
+///   presses a ball on one yields.
 /// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
+/// - `contact`: a heap that owes energy is moved back, whoever has followed it.
+/// - `event`: balls come to rest in every scene that loses energy, whether by restitution, slip,
+///   drag or a stop speed.
+/// - `contact`: a held edge throws a ball as fast as it moves, and is not held back before.
 /// - Pinball: the ball saver and timers stand while the only ball waits at the plunger.
 inline constexpr int physics_version = 3;
 
