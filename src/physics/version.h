@@ -26,8 +26,8 @@ namespace carom {
 ///   no longer takes the velocity of a ball that meets too much in an elastic scene.
 /// - `contact`: constraints give back no more energy than they took (contact/energy.h), and what a
 ///   fast ball hits does not leave its skin. Without gravity, impacts without a bounce are not
-///   left to constraints that nobody makes. Balls in one place part in all directions, and
-///   stay out of impacts until they have.
+///   left to constraints that nobody makes. Balls in one place separate in all directions,
+///   and stay out of impacts until they have.
 /// - The levels of pool say `use modulus`, by which contacts last under `event`. The end of the
 ///   shot clock is a command.
 /// - `event`: pressed balls that an edge bars from separating do so along the edge
@@ -37,19 +37,19 @@ namespace carom {
 /// - `event`: balls that are lifted apart pay for it with what the impact took from them, and with
 ///   their speed.
 /// - `contact`: a small impulse no longer moves a ball off its parabola by g h^2 / 2, small balls
-/// get
-///   more substeps, and under drag impacts are on the chord. Balls that start inside others are hit
-///   by those that do not. Walls hold such balls, though another edge is one-way.
+///   get more substeps, and under drag impacts are on the chord. Balls that start inside others are
+///   hit by those that do not. Walls hold such balls, though another edge is one-way.
 /// - `event`: what sinks in deeper than position correction opens goes to `contact`. Time stands
 ///   still for balls that are too fast for the rounding of time.
 /// - Seesaws: a stop ends the search of `event`. Under `contact` one that bounces may meet both
 ///   stops in a substep. Under `swept` no ball rests on a fast one. Under `event` a hand that
 ///   presses a ball on one yields.
 /// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
-/// - `contact`: a heap that owes energy is moved back, whoever has followed it.
+/// - `contact`: a heap that owes energy is moved back, together with slow balls that have followed
+///   it.
 /// - `event`: balls come to rest in every scene that loses energy, whether by restitution, slip,
 ///   drag or a stop speed.
-/// - `contact`: a held edge throws a ball as fast as it moves, and is not held back before.
+/// - `contact`: an edge that is about to hit a ball is not held back, so it hits at its full speed.
 /// - Pinball: the ball saver and timers stand while the only ball waits at the plunger.
 inline constexpr int physics_version = 3;
 

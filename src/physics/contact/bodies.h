@@ -40,7 +40,7 @@ struct ContactSubstep {
     double spin_share = 0.5;           ///< inertia / (m r^2)
     double friction_mass = 1.0 / 3.0;  ///< mass that friction moves, of a contact's mass
 
-    /// Whether the constraints of later substeps are trusted to part bodies that sink in.
+    /// Whether the constraints of later substeps are trusted to separate bodies that overlap.
     bool trusts_constraints() const { return !is_strict && rest_speed > 0.0; }
 };
 
@@ -118,7 +118,7 @@ struct ContactPair {
     bool is_new : 1 = true;                ///< did not press yet: no contact has been reported
     bool has_settled : 1 = false;          ///< came to rest at an impact in this substep
     bool is_hinged : 1 = false;            ///< b is a point of a seesaw, of which `mass` knows
-    bool has_high_mass_ratio : 1 = false;  ///< the masses of the two balls are far apart
+    bool has_high_mass_ratio : 1 = false;  ///< of the two balls: `high_mass_ratio`
 
     bool is_on_edge() const { return edge != NearPair::no_edge; }
 };

@@ -60,7 +60,7 @@ void ContactConstraints::begin_all() {
             .impulse = pair.impulse,
             .tangential_impulse = pair.tangential_impulse,
             .friction = pair.friction};
-        // The last one is no neighbour of this one if it is one of the constraint before it.
+        // The constraint before is free to be its neighbour unless it has one already.
         if (k > 0 && (k == 1 || !constraints_[k - 2].has_neighbour))
             constraints_[k - 1].has_neighbour = !share_body(constraints_[k - 1], constraints_[k]);
         if (!may_open && gap > deepest_held && gap < 0.0)

@@ -20,7 +20,8 @@ struct ContactConstraint {
     std::uint32_t b = 0;
     std::uint32_t pair = 0;
     bool is_persistent = false;  ///< pressed in the last substep too
-    /// It and the next constraint are neighbours in the order, and share no body but the fixed one.
+    /// It is solved together with the next constraint, with which it shares no body but the fixed
+    /// one.
     bool has_neighbour = false;
     Vec2 normal;
     /// Positive: the speed at which the gap may close. Negative: the speed at which the overlap
@@ -118,7 +119,7 @@ class ContactConstraints {
     const ContactClassification& classification_;
     ContactEnergy& energy_;
     std::vector<ContactConstraint> constraints_;
-    ContactConstraint nothing_;          // stands beside one that goes by itself
+    ContactConstraint nothing_;          // the neighbour of one that has none
     std::vector<std::uint32_t> new_;     // indices of constraints that did not press yet
     std::vector<std::uint32_t> loaded_;  // indices of constraints below a high mass ratio
     std::vector<std::uint8_t> is_loaded_;

@@ -49,7 +49,7 @@ class ContactMemory : public MemoryOf<ContactMemory> {
     std::vector<PersistentContact> contacts;
     /// Empty if nothing could press in the last tick.
     ReferencePositions reference;
-    /// What the springs of the constraints hold (energy.h).
+    /// What the springs of the constraints hold; below 0: what they owe (energy.h).
     double stored_energy = 0.0;
 
     void add_to(Hash& hash, const Model& model, int version) const override;

@@ -107,9 +107,9 @@ double ContactEnergy::take_from_hit(std::span<const BodyPair> impacts, double ex
 }
 
 // This share of the group's gain comes from its height and its speed, whichever have gained. A
-// group that is moved back is slowed too. One that nothing supports keeps its way and its momentum,
-// unless its balls hardly move relative to each other: its centre of mass flies, and constraints
-// cannot lift it.
+// group that is moved back is slowed too. One that nothing supports keeps its displacements, since
+// constraints cannot lift its centre of mass, and its momentum, unless its balls hardly move
+// relative to each other.
 ContactEnergy::Reduction ContactEnergy::reduction_of(const PressGroup& group, double share) const {
     if (!(group.gain > 0.0)) return {};
     const double lifted = group.may_go_back() ? std::max(0.0, group.lift) : 0.0;

@@ -16,30 +16,29 @@ namespace carom {
 /// took, plus at most `most_owed` of the energy of all balls.
 ///
 /// Constraints are damped springs. The energy that they take out of the balls in a substep goes
-/// into a *store*. The store holds at most what springs compressed like this would hold, and at
-/// most `most_stored` of the energy of all balls; the rest is lost. The energy that constraints
-/// give, by lifting overlapping bodies or by iterations that have not converged, comes out of the
-/// store. If they give more than the limit allows, the excess is taken back at the end of the
-/// substep: each group of balls that press on one another and have gained energy moves less far,
-/// and more slowly; one that nothing supports only moves more slowly. Embedded balls keep what they
-/// have moved to the side, which costs no energy. Beyond the limit, constraints do not open
-/// overlaps, but for deep ones; they only hold their load. So a heap keeps its overlaps while the
-/// store has no energy to open them.
+/// into a *store*, one for the whole world. The store holds at most what springs compressed like
+/// this would hold, and at most `most_stored` of the energy of all balls; the rest is lost. The
+/// energy that constraints give, by lifting overlapping bodies or by iterations that have not
+/// converged, comes out of the store. Below 0, the store says what they *owe*. If they owe more
+/// than the limit, the excess is taken back at the end of the substep: each group of balls
+/// (press_groups.h) that has gained energy moves less far, and more slowly; one that nothing
+/// supports only moves more slowly. Embedded balls keep what they have moved to the side, which
+/// costs no energy. While they owe more than the limit, constraints hold their load, but open no
+/// overlaps except deep ones. So a heap keeps its overlaps while the store has no energy to open
+/// them.
 ///
 /// An impact may carry off what constraints have given in the same substep, to a ball that presses
 /// on nothing. What the groups cannot give back comes out of the speed that such balls have gained.
 ///
-/// A slow ball that has followed a group into the room that it left goes back with it.
-///
-/// Impacts, kicks, kinematic bodies and seesaws are not limited. A group that one of these bodies
-/// carries is not moved back, nor is one that would be moved into a fast ball; so there the store
-/// may fall below the limit until later losses refill it.
+/// Impacts, kicks, kinematic bodies and seesaws are not limited. A group that a kinematic body or a
+/// seesaw carries is not moved back, nor is one that would be moved into a fast ball; so the store
+/// may stay below the limit until later losses refill it.
 class ContactEnergy {
   public:
     ContactEnergy(const ContactSubstep& step, ContactBodies& bodies, ContactPairs& pairs)
         : step_(step), bodies_(bodies), groups_(step, bodies, pairs) {}
 
-    /// What is stored in the world; below 0 where more has been given than taken.
+    /// `stored`: what the last tick left in the world; below 0: what constraints owe.
     void begin_tick(double stored) {
         stored_ = stored;
         energy_.reset();
@@ -69,6 +68,7 @@ class ContactEnergy {
         bool is_embedded = false;  ///< they go back by their heights alone
     };
 
+    /// By how much constraints owe more than they may.
     double excess() const { return -contact_tolerance::most_owed * *energy_ - stored_; }
     double energy_of_balls() const;
     template <bool spin>

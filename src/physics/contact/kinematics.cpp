@@ -91,7 +91,7 @@ bool ContactKinematics::hold_back(const ContactPairs& pairs, ContactBodies& bodi
     for (const std::uint32_t p : pairs.kinematic()) {
         const ContactPair& pair = pairs[p];
         if (pair.mass == 0.0 || pair.is_hinged) continue;
-        // The CCD contact finds the impact in time, and the edge throws the ball.
+        // The impact comes in time, and moves the ball away from the edge.
         if (pair.state == ContactState::ccd && pair.b > bodies.fixed) continue;
         const bool by_a = bodies.is_ball(pair.b) && bodies.is_kinematic(pair.a);
         const std::uint32_t ball = by_a ? pair.b : pair.a;

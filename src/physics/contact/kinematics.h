@@ -61,8 +61,8 @@ class ContactKinematics {
         return *find_edge(std::span<HeldEdge>(edges_), pair.edge);
     }
 
-    /// Shortens the displacement of every kinematic body that would enter a ball too far. Returns
-    /// whether there was one.
+    /// Shortens the displacement of every kinematic body that would enter a ball too far, but for
+    /// edges at CCD contacts, whose impacts move the ball away. Returns whether there was one.
     bool hold_back(const ContactPairs& pairs, ContactBodies& bodies, const ContactSubstep& step);
 
     /// Limits the speed of jammed balls (those that a kinematic body presses on but cannot move,

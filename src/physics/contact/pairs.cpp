@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-// The masses of two balls. 0: a body that nothing moves.
+// Whether two balls have a high mass ratio, by their inverse masses. 0: a body that nothing moves.
 bool are_far_apart(double inverse_of_a, double inverse_of_b) {
     return inverse_of_a > 0.0 && inverse_of_b > 0.0 &&
            std::max(inverse_of_a, inverse_of_b) >=

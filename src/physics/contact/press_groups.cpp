@@ -171,7 +171,7 @@ bool PressGroups::have_room(const ContactPair& pair) const {
 
 void PressGroups::join_followers() {
     if (groups_.size() < 2) return;
-    // Of two balls of different groups, one at least is not of this group.
+    // A pair of two groups has a ball outside the largest one, so that one need not be searched.
     const std::uint32_t most = largest();
     pairs_.list_by_body(bodies_);
     for (bool has_changed = true; has_changed;) {

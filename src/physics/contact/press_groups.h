@@ -15,9 +15,9 @@ double kinetic_energy_of(const ContactSubstep& step, const ContactBodies& bodies
 /// The kinetic and potential energy that the ball has gained in the substep.
 double gain_of(const ContactSubstep& step, const ContactBodies& bodies, std::uint32_t ball);
 
-/// Balls that press on one another, and all that goes back with them.
+/// Balls that touch, and the groups that go back with them.
 struct PressGroup {
-    double gain = 0.0;     ///< of energy in the substep; of groups that are pressed
+    double gain = 0.0;     ///< of energy in the substep, by balls of groups that are pressed
     double lift = 0.0;     ///< of potential energy in the substep
     double kinetic = 0.0;  ///< energy at the end of the substep
     double mass = 0.0;
@@ -29,26 +29,31 @@ struct PressGroup {
     bool is_embedded = false;   ///< has balls that are embedded
 
     bool may_go_back() const { return is_supported && !stays; }
-    /// Whether its balls return on the way that they came.
+    /// Whether the displacements of its balls are to be taken back.
     bool goes_back() const { return gain > 0.0 && lift > 0.0 && may_go_back(); }
     void join(const PressGroup& other);
 };
 
-/// The groups of balls in a substep of the solver `contact`.
+/// Groups of balls that touch, in the solver `contact`.
+///
+/// The first `find` of a tick finds them from the constraints of its substep. They last for the
+/// rest of the tick, though contacts change, since finding them costs a pass over all constraints;
+/// their sums, and which have joined, are those of the present substep. Indices are those of
+/// bodies, so a new order of bodies ends the groups.
 class PressGroups {
   public:
     PressGroups(const ContactSubstep& step, const ContactBodies& bodies, ContactPairs& pairs)
         : step_(step), bodies_(bodies), pairs_(pairs) {}
 
-    /// The next `find` looks for the groups anew. To be called whenever the order of the bodies has
-    /// changed, and at the start of a tick.
+    /// The next `find` finds the groups anew. To be called at the start of a tick, and whenever the
+    /// order of the bodies has changed.
     void forget() { found_.clear(); }
-    /// Balls that touch are of one group, until they are forgotten. A ball that touches nothing is
-    /// one by itself.
+    /// Finds the groups, unless they are known, and sums up what they have in this substep. A ball
+    /// that touches nothing is a group by itself.
     void find(std::span<const ContactConstraint> constraints);
-    /// Groups of which one can go back only with the other become one: until each may go back by
-    /// its displacements without a ball entering one that has followed it into the room that it
-    /// left, deeper than it is in there. Where such a ball is fast, both groups stay.
+    /// Joins groups until each can go back without a ball of it going deeper into a ball of another
+    /// group, which has followed it into the room that it left. Two such groups go back together,
+    /// or neither does if one of the two balls is fast.
     void join_followers();
 
     /// In the order of their first balls. Those that have joined another one no longer count.
@@ -90,8 +95,8 @@ class PressGroups {
     std::vector<std::uint32_t> group_;    // by ball: index of its group
     std::vector<State> state_;            // by ball
     std::vector<std::uint32_t> others_;   // indices of constraints that `mark` looks at
-    std::vector<PressGroup> found_;       // nothing summed up or joined
-    std::vector<PressGroup> groups_;
+    std::vector<PressGroup> found_;       // nothing summed up or joined; empty: to be found
+    std::vector<PressGroup> groups_;      // of this substep
 };
 
 }  // namespace carom

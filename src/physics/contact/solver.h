@@ -37,7 +37,7 @@ class ContactSolver {
     /// constraint once, when it begins to press. Sets `touched` for the balls that press on
     /// something at the end of the tick. Pre: `substeps` >= 1.
     ///
-    /// In a strict tick constraints are not trusted to part bodies: a pair that overlaps by
+    /// In a strict tick constraints are not trusted to separate bodies: a pair that overlaps by
     /// `strict_overlap` collides until it approaches no more, which costs more, and piles settle
     /// more slowly. For ticks in which hands have squashed something otherwise (tick/hands.h).
     void tick(World& world, int substeps, std::vector<Contact>& contacts,
