@@ -20,7 +20,7 @@ double radius_of(const World& world, std::uint32_t ball) {
 }
 
 bool may_rest(const Model& model) {
-    return (model.gravity && model.inelastic) || model.cloth;
+    return (model.gravity && loses_energy(model)) || model.cloth;
 }
 
 }  // namespace
