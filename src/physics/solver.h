@@ -19,13 +19,13 @@ namespace carom {
 /// The solvers that this carom has, cheapest first.
 std::span<const SolverKind> solvers_available();
 
-/// Whether the solver can simulate this model. `contact` knows no cloth; `discrete` and `substep`
-/// know no seesaws.
-/// Model::modulus counts as supported everywhere, though only `event` has impacts that last.
+/// Whether the solver can simulate this model. `contact` supports no cloth; `discrete` and
+/// `substep` support no seesaws. Model::modulus counts as supported everywhere, though only `event`
+/// has impacts that last.
 bool supports(SolverKind kind, const Model& model);
 
 /// Whether the solver may step dense clusters with `contact` (event/hybrid_step.h): `event` does,
-/// where gravity acts, balls meet balls or seesaws, and impacts lose energy.
+/// where gravity acts, balls meet balls or seesaws, and the scene loses energy (`loses_energy`).
 bool uses_hybrid_step(const Model& model, const SolverSettings& settings);
 
 /// What `auto` picks for a world, by the estimates of solver_cost.h, and the reason, with what else

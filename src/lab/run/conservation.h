@@ -17,7 +17,7 @@ class ConservationWatch {
     void note(const World& world);
 
     /// The largest change of the energy, relative to the largest kinetic energy. In a scene that
-    /// dissipates (losses, drag, limits, sinks) only a rise counts. None in a scene that may gain
+    /// dissipates (losses, a speed limit, sinks) only a rise counts. None in a scene that may gain
     /// energy (emitters, dragged bodies, gravity on a torus). Infinite once a number is not finite.
     std::optional<double> energy_drift() const;
     /// The largest change of the momentum, relative to the largest sum of the magnitudes. None in a

@@ -17,9 +17,10 @@ namespace carom {
 /// this tick. It depends on the world alone, and not on the order of balls.
 ///
 /// A ball is *dense* if it has had more than `dense_collisions` collisions in quick succession, the
-/// last of them with another ball, where gravity acts and impacts lose energy.
-/// EventMemory::clustered names the balls that are dense at the end of a tick, and those that have
-/// not yet returned (below).
+/// last of them with another ball, in a scene with gravity that loses energy (`loses_energy`). It
+/// is *sunk* if impacts have not opened a deep overlap (CollapseGuard::note_sunk).
+/// EventMemory::clustered names the balls that are dense or sunk at the end of a tick, and those
+/// that have not yet returned (below).
 ///
 /// *The cluster* of a tick: the balls of EventMemory::clustered, all balls that could meet one of
 /// them within the tick, all that could meet those, and so on. A ball's *reach* is the furthest

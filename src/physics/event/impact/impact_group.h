@@ -17,9 +17,10 @@ namespace carom {
 /// The contact points of a cluster that approach in one round of an impact, as a group for the
 /// simultaneous impact (laws/simultaneous_impact.h), and the impulses that they pass.
 ///
-/// An approach does not count if rounding alone explains it. Where gravity presses inelastic bodies
-/// together, one that a fall through `rest_height` (between moving balls `moving_rest_height`)
-/// would give does not count either, except at the contact of the event itself.
+/// An approach does not count if rounding alone explains it. Where gravity presses bodies together
+/// (`Field::pressing`), one that a fall through `rest_height` (between moving balls
+/// `moving_rest_height`) would give does not count either, except at the contact of the event
+/// itself.
 ///
 /// A contact alone may have a normal of its own: that of a curve, or a scattered one. Where
 /// contacts last (`Model::modulus`), the group is the one that lasting_impact.h finds.
