@@ -22,8 +22,8 @@ std::vector<GoldenRun> golden_levels(const std::string& folder,
                                      const std::vector<std::string>& names = {});
 
 /// "FILE TICKS FINGERPRINT" for every recording (*.replay) of the folder, played to its end, since
-/// commands must give equal bits too. A recording that cannot be read, or goes elsewhere than it
-/// says, has failed: "FILE: " and the reason.
+/// commands must give equal bits too. A recording that cannot be read, or does not give its own
+/// fingerprints, has failed: "FILE: " and the reason.
 std::vector<GoldenRun> golden_replays(const std::string& folder);
 
 }  // namespace carom::test
