@@ -140,7 +140,7 @@ TEST_CASE("event: a slip on cloth that is shorter than the clock resolves ends a
     CHECK(length(world.balls().position[0] - corner) < 1e-3);
 }
 
-TEST_CASE("event: elastic balls that drag or friction brings to rest collide no more than others") {
+TEST_CASE("event: elastic balls that drag or friction stops collide less than once a tick") {
     const auto collisions_of_last_second = [](auto lose) {
         World world = scenes::empty();
         world.edit_definition().model.gravity = Vec2{0.0, -10.0};

@@ -33,7 +33,7 @@ double speed_after_pushes(SolverKind kind) {
 
 }  // namespace
 
-TEST_CASE("contact: a fast bar throws a ball as fast as under event, however often") {
+TEST_CASE("contact: a fast bar pushes a ball as fast as under event, however often") {
     const double truth = speed_after_pushes(SolverKind::event);
     CHECK(truth > 1000.0);
     CHECK(speed_after_pushes(SolverKind::contact) == doctest::Approx(truth).epsilon(0.01));

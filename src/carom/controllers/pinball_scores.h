@@ -29,8 +29,8 @@ class PinballScores {
     std::size_t player() const { return asked_.front().player; }
     /// Takes a letter, a correction, or the confirmation.
     void type(const InputEvent& event);
-    /// Time has passed while they could be typed. After a minute without a key, what has been typed
-    /// counts, as on real tables. True: it does now.
+    /// Passes time in which initials can be typed. After a minute without a key, what has been
+    /// typed counts, as on real tables. Returns whether that has happened now.
     bool pass(double seconds);
     /// The score that has been entered; returned once.
     std::optional<HighScore> take();

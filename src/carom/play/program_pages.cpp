@@ -25,7 +25,7 @@ bool is_key_press(const InputEvent& event) {
     return event.kind == InputEvent::Kind::key && event.action != InputEvent::Action::release;
 }
 
-// Keeps a score for which the player has entered initials, or let the time for them pass.
+// Keeps a score once its initials are entered, or the time for them has passed.
 void keep_score(Player& player, const std::string& path) {
     const auto score = player.take_high_score();
     if (!score) return;

@@ -34,7 +34,7 @@ constexpr double shot_time = 2.0;              // in which a shot reaches its de
 // The least gain for which it presses a button, and for which it nudges: a ball that would be lost.
 constexpr double least_gain = 4.0;
 constexpr double nudge_gain = 40.0;
-constexpr double still_meter = 0.05;  // of the tilt: below it a nudge raises no warning
+constexpr double still_meter = 0.05;  // tilt meter, of 1: below it a nudge raises no warning
 
 std::size_t index(Button button) {
     return static_cast<std::size_t>(button);
@@ -169,7 +169,7 @@ void DemoPlayer::watch_shot(const Game& game) {
     if (is_made || game.world.tick() >= shot_->until) shot_.reset();
 }
 
-// The same presses, all as much too early or too late as a person's.
+// Makes all presses of an option early or late by one error, as a person does.
 PinballOption DemoPlayer::delayed(const Game& game, PinballOption option) {
     const double late = error(game.world, press_error) * game.world.rate();
     for (TimedPress& press : option.presses)

@@ -26,13 +26,13 @@ struct PinballOption {
     Foreseen foreseen;
 };
 
-/// Everything that the button can do soon: first nothing, then alternately, at each moment,
-/// changing the flipper's position for good, and changing it for a flip.
+/// Everything that the button can do soon: first nothing; then for each of six moments two options,
+/// to change the flipper's position for good, and to change it for a flip.
 std::vector<PinballOption> ways_to_meet(const PinballSight& sight, const Scene& scene,
                                         const SolverSettings& settings, PinballTrial trial,
                                         Button button);
 
-/// The nudge after which the balls are safest, at the best of some moments soon. A nudge comes
+/// The nudge after which the balls are safest, at the best of three moments soon. A nudge comes
 /// early or late, so the moments around it count too. None: the table has no nudge.
 std::optional<PinballOption> best_nudge(const PinballSight& sight, const Scene& scene,
                                         const SolverSettings& settings, const PinballTrial& trial);

@@ -24,7 +24,7 @@ constexpr double time_in_lane = 0.8;  // s that a ball rolls down an inlane or a
 
 enum class Prospect : std::uint8_t { near, beside, away, lost };
 
-// `away`: no ball is near the flippers. `beside`: one is in the lanes there. `lost`: all balls are.
+// `beside`: a ball is in a lane beside the flippers. `away`: none is near. `lost`: all balls are.
 Prospect prospect_of(const PinballSight& sight, const Scene& scene, const PinballTrial& trial) {
     bool is_any_near = false;
     bool is_any_beside = false;

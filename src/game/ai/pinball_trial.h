@@ -42,9 +42,9 @@ struct Foreseen {
 /// Plays the trial on by a tick.
 void play_tick(const Scene& scene, Solver& solver, PinballTrial& trial);
 
-/// Plays the trial on, with these presses, ascending in time, and judges it after this many ticks,
-/// or once all balls are lost, or one is back near the flippers, or, if `ends_when_away`, none is
-/// near them any more. A ball that is in a lane beside the flippers then is followed to its end.
+/// Plays the trial on, with these presses, ascending in time, and judges it after this many ticks;
+/// earlier once all balls are lost, or one is back near the flippers, or, if `ends_when_away`, none
+/// is near them any more; up to 0.8 s later while a ball is in a lane beside the flippers.
 Foreseen play_ahead(const PinballSight& sight, const Scene& scene, Solver& solver,
                     PinballTrial trial, const std::vector<TimedPress>& presses, std::uint64_t ticks,
                     bool ends_when_away);

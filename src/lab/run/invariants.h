@@ -46,8 +46,8 @@ class InvariantCheck {
   public:
     InvariantCheck(const Scene& scene, SolverKind solver);
 
-    /// From now on this solver's promises count, for what it makes of the present world. Pre:
-    /// called before `note_start`. Nothing happens if it is the solver already.
+    /// From now on this solver's promises count, starting from the present world. Pre: called
+    /// before `note_start`. Nothing happens if it is the solver already.
     void change_solver(SolverKind solver, const World& world);
     /// Takes over what commands and the rules of a game have changed since the last tick, which is
     /// not the solver's doing: energy that they added or removed becomes part of the baseline, and

@@ -14,7 +14,7 @@ void judge_all(RunRecord& record, const Scene& scene, const World& world, bool i
         judge(scene.expects[i], world, record.watch, is_last, record.judgements[i]);
 }
 
-// A command of the start changes the solver before it has done anything.
+// A command at tick 0 changes the solver before the first one has done anything.
 void note_solver(RunRecord& record, std::uint64_t ticks_before, const SolverSettings& settings) {
     if (ticks_before == 0) record.solver = settings;
     const SolverSettings& known =

@@ -155,7 +155,7 @@ TEST_CASE("a table that nobody touches is played by the demo, until any key") {
 }
 
 // The ball crosses a lane and drains: the game is over.
-TEST_CASE("initials that nobody completes are kept, and the demo plays then") {
+TEST_CASE("initials that nobody completes are kept, and then the demo plays") {
     const TableHome home;
     home.write("work.level", R"(carom 1 "A short game"
 units mm
