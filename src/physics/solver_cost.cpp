@@ -61,9 +61,9 @@ Box extent_of(const World& world) {
     return box;
 }
 
-// Until balls lie on one another after a fall of `fall` s: to within 10 % of what was measured of
-// 12 balls of restitution 0.4 to 0.9, of friction 0.03 to 0.8, or under drag of 0.2 to 2 /s. Slip
-// takes as much as restitution does, but no more than so much of it.
+// The time, s, until balls lie on one another, after a fall of `fall` s and its bounces. Fitted to
+// within 10 % to 12 balls with a restitution of 0.4 to 0.9, friction of 0.03 to 0.8, or drag of 0.2
+// to 2 /s. Slip counts as restitution that is lower by half the friction, at most by 0.1.
 double settling_time(const World& world, double fall) {
     const Model& model = world.model();
     const Balls& balls = world.balls();

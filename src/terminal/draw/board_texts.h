@@ -10,10 +10,10 @@
 /// Where do the labels of a level and the names of its lights stand on the board?
 namespace carom {
 
-/// Writes texts, the more important ones first, and keeps them apart: between two texts in a row
-/// are two columns, or one where there is no room for two. A text moves up to three columns aside
-/// to where only the ground is; else it stays and covers shapes, or moves only as far as other
-/// texts need. It never covers a ball. Without such a place it is left out.
+/// Writes texts, and keeps each apart from those before it, so the caller writes the important ones
+/// first. Between two texts in a row are two columns, or one where two do not fit. A text moves up
+/// to three columns aside to where only the ground is; else it stays and covers shapes, or moves
+/// only as far as other texts need. It never covers a ball. Without such a place it is left out.
 class BoardTexts {
   public:
     /// Keeps references to both.

@@ -57,7 +57,7 @@ TEST_CASE("contact: constraints open overlaps while they owe no energy") {
     CHECK(RestingBall(overlap).velocity_after_solving(0.0) > 1e-3);
 }
 
-// The ball has an energy of 4.9, of which constraints may owe a thousandth.
+// The ball has an energy of 5, of which constraints may owe a thousandth.
 TEST_CASE("contact: constraints that owe energy hold their load, but open no overlap") {
     CHECK(RestingBall(overlap).velocity_after_solving(0.001) > 1e-3);
     CHECK(RestingBall(overlap).velocity_after_solving(0.1) == doctest::Approx(0.0).epsilon(1e-12));
