@@ -81,7 +81,7 @@ class ContactEnergy {
     const ContactSubstep& step_;
     ContactBodies& bodies_;
     double stored_ = 0.0;
-    std::optional<double> energy_{};  // of all balls, counted once a tick where they touch
+    std::optional<double> energy_{};  // of all balls, found once a tick, when it is first needed
     PressGroups groups_;
     std::vector<Reduction> reductions_;  // by group
     std::vector<std::uint32_t> hit_;  // balls hit by groups that they do not belong to, ascending

@@ -36,7 +36,7 @@
 /// | most_pushes       | 8     | pushes by kinematic bodies   | jams rattle longer / freeze early |
 /// | most_holds        | 8     | rounds of holding back       | slower / balls between two hands keep their speed |
 /// | most_stored       | 0.005 | of the balls' energy         | squashed columns throw up loads / deep heaps stay deep |
-/// | most_owed         | 0.001 | of the balls' energy         | as above / heaps at rest are checked in each substep |
+/// | most_owed         | 0.001 | of the balls' energy         | as above / heaps at rest are moved back in each substep |
 /// | rounding          | 1e-14 | share of the speeds          | slow contacts are lost / rounding counts as contact |
 // clang-format on
 namespace carom::contact_tolerance {
