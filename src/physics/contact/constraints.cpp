@@ -105,6 +105,8 @@ inline void ContactConstraints::relax(ContactConstraint& first, ContactConstrain
     const F64x2 most{first.is_persistent ? bound : 0.0, second.is_persistent ? bound : 0.0};
     const F64x2 more = at_least(-most, at_most(most, contact_tolerance::over_relaxation * speed));
     const F64x2 change = both(first, second, &ContactConstraint::mass) * (speed + more);
+    first.has_pressed |= impulse[0] > 0.0;
+    second.has_pressed |= impulse[1] > 0.0;
     change_impulses<spin>(first, second, at_least(F64x2{}, impulse - change));
 }
 

@@ -20,6 +20,7 @@ struct ContactConstraint {
     std::uint32_t b = 0;
     std::uint32_t pair = 0;
     bool is_persistent = false;  ///< pressed in the last substep too
+    bool has_pressed = false;    ///< in this substep, before it gave its impulse back
     /// It is solved together with the next constraint, with which it shares no body but the fixed
     /// one.
     bool has_neighbour = false;

@@ -61,6 +61,8 @@ void ContactConstraints::take_back_excess() {
         const auto of_first = is_first ? without_excess(first, up) : std::nullopt;
         const auto of_second = is_second ? without_excess(second, up) : std::nullopt;
         if (!of_first && !of_second) return;
+        first.has_pressed |= first.impulse > 0.0;
+        second.has_pressed |= second.impulse > 0.0;
         change_impulses<spin>(
             first, second,
             F64x2{of_first.value_or(first.impulse), of_second.value_or(second.impulse)});

@@ -22,6 +22,12 @@ double energy_before(const ContactSubstep& step, const ContactBodies& bodies, st
            bodies.body[ball].inverse_mass;
 }
 
+// Constraints move balls before they are relaxed: one that has given its impulse back has still
+// moved its bodies.
+bool has_pressed(const ContactConstraint& constraint) {
+    return constraint.has_pressed || constraint.impulse > 0.0;
+}
+
 }  // namespace
 
 double kinetic_energy_of(const ContactSubstep& step, const ContactBodies& bodies,
@@ -77,8 +83,8 @@ void PressGroups::join_balls(std::span<const ContactConstraint> constraints) {
         const ContactConstraint& constraint = constraints[k];
         const bool is_free = is_free_ball(constraint.a) && is_free_ball(constraint.b);
         if (!is_free || constraint.target < embedded) others_.push_back(k);
-        // Also what overlaps and no longer presses: it may have pressed before the last iteration.
-        const bool presses = constraint.impulse > 0.0;
+        // Also what overlaps and does not press.
+        const bool presses = has_pressed(constraint);
         if (!is_free || !(presses || constraint.target <= 0.0)) continue;
         if (presses) state_[constraint.a] = state_[constraint.b] = State::pressed_by_ball;
         std::uint32_t& a = earlier_[constraint.a];
@@ -111,7 +117,7 @@ void PressGroups::mark(std::span<const ContactConstraint> constraints) {
         const ContactPair& pair = pairs_[constraint.pair];
         const bool is_a = is_free_ball(constraint.a);
         if (is_a && is_embedded(bodies_, pair)) found_[group_[constraint.a]].is_embedded = true;
-        if (!(constraint.impulse > 0.0) || is_a == is_free_ball(constraint.b)) continue;
+        if (!has_pressed(constraint) || is_a == is_free_ball(constraint.b)) continue;
         PressGroup& group = found_[group_[is_a ? constraint.a : constraint.b]];
         group.is_pressed = group.is_supported = true;
         group.stays = group.stays || pair.is_kinematic;

@@ -36,7 +36,8 @@ struct PressGroup {
 
 /// Groups of balls that touch, in the solver `contact`.
 ///
-/// The first `find` of a tick finds them from the constraints of its substep. They last for the
+/// The first `find` of a tick finds them from the constraints of its substep: balls that overlap,
+/// or have pressed on one another, even if they no longer do when it ends. They last for the
 /// rest of the tick, though contacts change, since finding them costs a pass over all constraints;
 /// their sums, and which have joined, are those of the present substep. Indices are those of
 /// bodies, so a new order of bodies ends the groups.
