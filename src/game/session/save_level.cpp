@@ -1,4 +1,5 @@
-// This file is over 320 lines because it holds one idea, the class that writes a level.
+// The file is long since it is one writer: the statements of a level in their order, which share
+// the names of kinds and materials.
 
 #include "game/session/save_level.h"
 
@@ -22,8 +23,6 @@ namespace {
 /// The number of points after which a line is broken.
 constexpr std::size_t points_a_line = 6;
 
-// The file is long since it is one writer: the statements of a level in their order, which share
-// the names of kinds and materials.
 class LevelWriter {
   public:
     /// `world` has the edges of movers and seesaws at home, where the level is to write them.

@@ -31,6 +31,14 @@ Contact contact_of(const SweptEvent& event, Vec2 point, double approach, double 
             .impulse = impulse};
 }
 
+void apply_friction_on_seesaw(World& world, const SweptEvent& event, const HingeImpact& impact,
+                              double impulse) {
+    if (!world.model().spin) return;
+    Balls& balls = SolverAccess(world).balls();
+    apply_friction_on_hinge(impact, {balls.spin[event.ball], balls.radius[event.ball]}, impulse,
+                            {friction_of_edge(world, event.other), *world.model().spin});
+}
+
 }  // namespace
 
 // A ball whose flight after the bounce would lead back before the substep ends rests: what presses
@@ -87,11 +95,7 @@ SweptOutcome SweptResponse::collide_seesaw(World& world, const SweptEvent& event
     } else if (approach > 0.0) {
         paths_.end_rest(ball);
     }
-    if (world.model().spin) {
-        Balls& balls = SolverAccess(world).balls();
-        apply_friction_on_hinge(impact, {balls.spin[ball], radius}, exchange.impulse,
-                                {friction_of_edge(world, event.other), *world.model().spin});
-    }
+    apply_friction_on_seesaw(world, event, impact, exchange.impulse);
     if (is_resting || !(approach > 0.0)) paths_.count_resting_impact(world, ball, velocity);
     redirect(world, ball, now, velocity);
     kinematics_.turn(event.other, seesaw, now);
