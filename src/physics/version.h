@@ -41,16 +41,17 @@ namespace carom {
 ///   hit by those that do not. Walls hold such balls, though another edge is one-way.
 /// - `event`: what sinks in deeper than position correction opens goes to `contact`. Time stands
 ///   still for balls that are too fast for the rounding of time.
+/// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
+/// 4:
 /// - Seesaws: a stop ends the search of `event`. Under `contact` one that bounces may meet both
 ///   stops in a substep. Under `swept` no ball rests on a fast one. Under `event` a hand that
 ///   presses a ball on one yields.
-/// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
 /// - `contact`: a heap that owes energy is moved back, together with slow balls that have followed
 ///   it.
 /// - `event`: balls come to rest in every scene that loses energy, whether by restitution, slip,
 ///   drag or a stop speed.
 /// - `contact`: an edge that is about to hit a ball is not held back, so it hits at its full speed.
 /// - Pinball: the ball saver and timers stand while the only ball waits at the plunger.
-inline constexpr int physics_version = 3;
+inline constexpr int physics_version = 4;
 
 }  // namespace carom
