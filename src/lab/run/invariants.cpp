@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "lab/run/time_check.h"
 #include "physics/event/motion/event_memory.h"
 
 namespace carom {
@@ -299,20 +300,11 @@ std::optional<Breach> InvariantCheck::check_overlap(const World& world) {
 }
 
 std::optional<Breach> InvariantCheck::check_time(const World& world, bool stood_still) const {
-    const Balls& balls = world.balls();
     if (world.tick() != tick_ + 1)
         return Breach{.kind = Breach::Kind::time, .tick = world.tick(), .amount = 0.0};
-    if (!promise_.moves || stood_still || ids_ != balls.id || world.model().wrap)
+    if (!promise_.moves || stood_still || ids_ != world.balls().id || world.model().wrap)
         return std::nullopt;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const double speed = std::min(length(velocity_[i]), length(balls.velocity[i]));
-        if (!(balls.position[i] == position_[i]) || is_held(world, balls.id[i]) ||
-            !(speed * world.tick_length() > 1e-3 * balls.radius[i]))
-            continue;
-        return Breach{
-            .kind = Breach::Kind::time, .tick = world.tick(), .ball = balls.id[i], .amount = speed};
-    }
-    return std::nullopt;
+    return find_ball_that_stays(world, promise_, position_, velocity_);
 }
 
 }  // namespace carom

@@ -38,7 +38,8 @@ namespace carom {
 ///             exempt until it has separated. Held, moving and one-way edges, held balls, and edges
 ///             on a torus are not checked
 ///   time      the tick has advanced, and no ball that has a velocity has stayed exactly where it
-///             was, unless the solver has reported that time stood still for a ball
+///             was, unless the solver has reported that time stood still for a ball, or
+///             `contact` has stepped a ball that is wedged (time_check.h)
 ///
 /// Cost: a sort of the balls by x, then pairs of balls that are near along x, and every edge with
 /// the balls near it along x.

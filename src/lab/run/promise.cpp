@@ -40,7 +40,8 @@ Promise promise_of(SolverKind solver) {
                     .lifts_overlaps = true,
                     .most_fall = most_fall_of_contact,
                     .keeps_sides = true,
-                    .moves = true};
+                    .moves = true,
+                    .iterates = true};
         default:
             return {};
     }

@@ -31,6 +31,7 @@ struct Promise {
     std::optional<double> most_fall;
     bool keeps_sides = false;  ///< no ball passes through an edge or out of an outline
     bool moves = false;        ///< a ball with a velocity does not stay where it was
+    bool iterates = false;     ///< but a pressed ball may, for what it is pressed on (time_check.h)
 };
 Promise promise_of(SolverKind solver);
 /// How many balls are too small for the promise.

@@ -185,6 +185,44 @@ TEST_CASE("invariants: a moving ball that stands still is caught, unless it is r
     }
 }
 
+// Regression: three constraints held a ball that a heap pressed into a corner, and the last
+// iteration left it a speed. Nothing stood still.
+TEST_CASE("invariants: a ball that is wedged may stay where contact steps, and nowhere else") {
+    struct Case {
+        SolverKind solver = SolverKind::contact;
+        bool is_clustered = false;
+        Vec2 after;  // velocity
+        bool may_stay = false;
+    };
+    const Vec2 from_corner{0.5, 0.5};
+    const Vec2 past_ball{-0.6, 0.5};
+    for (const Case& each : {Case{SolverKind::contact, false, from_corner, true},
+                             Case{SolverKind::contact, false, {0.6, -0.5}, true},
+                             Case{SolverKind::contact, false, past_ball, false},
+                             Case{SolverKind::swept, false, from_corner, false},
+                             Case{SolverKind::event, false, from_corner, false},
+                             Case{SolverKind::event, true, from_corner, true}}) {
+        CAPTURE(std::string(name(each.solver)));
+        CAPTURE(each.is_clustered);
+        Scene scene;
+        World& world = scene.world;
+        world.edit_definition().kinds = {{}};
+        world.edit_definition().materials = {{}};
+        add_capsule(world, {{0.0, 0.0}, {9.0, 0.0}, 0.0}, 0);
+        if (each.after.x > 0.0) add_capsule(world, {{0.0, 0.0}, {0.0, 9.0}, 0.0}, 0);
+        add_ball(world, {.position = {1.0, 1.0}, .velocity = {-1.0, -1.0}});
+        add_ball(world, {.position = Vec2{1.0, 1.0} + Vec2{std::sqrt(2.0), std::sqrt(2.0)}});
+        InvariantCheck check(scene, each.solver);
+        check.note_start(world);
+        ++world.edit_tick();
+        world.edit_balls().velocity[0] = each.after;
+        if (each.is_clustered) edit_event_memory(world).clustered = {BallId{0}, BallId{1}};
+        const auto breach = check.note_tick(world, false);
+        CHECK(breach.has_value() == !each.may_stay);
+        if (breach) CHECK(breach->kind == Breach::Kind::time);
+    }
+}
+
 TEST_CASE("invariants: a tick that does not advance is caught") {
     Run run;
     REQUIRE(!run.tick());
