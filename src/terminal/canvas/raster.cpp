@@ -118,7 +118,8 @@ void Raster::sample(int across, int down, std::uint8_t level, const Ink& ink) {
         return blend(cell, static_cast<std::size_t>(i), visible(ink), level / 255.0);
     const std::uint8_t shown = tone_of_sample(level, i);
     std::uint8_t& present = cell.levels[static_cast<std::size_t>(i)];
-    if (present >= shown) return;
+    // A pixel takes the colour of the later of two that are equally strong.
+    if (present > shown || (present == shown && !renderer_->has_pixels())) return;
     present = shown;
     const std::size_t slot = renderer_->has_pixels() ? static_cast<std::size_t>(i) : 0;
     cell.colors[slot] = visible(ink).color;

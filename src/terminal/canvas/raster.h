@@ -85,8 +85,8 @@ class Raster {
     /// Renderers with regions: writes a few characters in the row of `center`, as near to it as
     /// cells allow, in place of what is there. Other renderers: nothing.
     void stamp(RasterPoint center, std::string_view glyphs, const Ink& ink);
-    /// Lights one sample, if it is darker than `level`. Dots have no levels: a lower `level` lights
-    /// fewer of them.
+    /// Lights one sample, unless it is brighter than `level`. Dots have no levels: a lower `level`
+    /// lights fewer of them.
     void sample(int across, int down, std::uint8_t level, const Ink& ink);
 
     /// The level of one sample: 0 is empty, 255 full. Pre: the sample lies within the raster.

@@ -239,6 +239,23 @@ TEST_CASE("borders of half blocks are shaded on terminals with 256 colours") {
     CHECK(border(16, default_color) == 196);
 }
 
+TEST_CASE("a dot shows on what is lit already, with few colours too") {
+    for (const int colors : {8, 16, 256}) {
+        CAPTURE(colors);
+        const Look look{colors, true, false};
+        Raster raster(half_block_renderer(), 5, 3, 2.0, look);
+        const Ink white{7, plain};
+        const Ink red{1, plain};
+        raster.disc({2.5, 2.5}, 2.0, 0.0, {.ink = white, .is_crisp = true});
+        raster.disc({2.5, 2.5}, 0.5, 0.0, {.ink = red, .is_crisp = true});
+        Canvas canvas(5, 3);
+        raster.show(canvas, 0, 0);
+        const Cell& cell = canvas.at(2, 1);
+        CHECK(cell.foreground != cell.background);
+        CHECK((colors > 16 || cell.foreground == 1 || cell.background == 1));
+    }
+}
+
 TEST_CASE("shapes outside, huge or not finite paint nothing wrong") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double nan = std::nan("");
