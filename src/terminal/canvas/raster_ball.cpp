@@ -12,6 +12,10 @@ namespace {
 constexpr double most_snapped = 6.0;
 // A diameter this much short of a whole number of pixels still counts as that number.
 constexpr double rounding = 0.2;
+// A ball of fewer pixels is a square of one pixel or of two, whichever is nearer in ratio. A border
+// of half-covered pixels around so small a square would make a cross of it.
+constexpr double least_two = 1.4142135623730951;   // sqrt(1 * 2)
+constexpr double least_three = 2.449489742783178;  // sqrt(2 * 3)
 // From this many pixels across, a sphere has room for a shadow and a highlight.
 constexpr int least_shaded = 3;
 
@@ -23,6 +27,12 @@ struct Extent {
     int end = 0;
 };
 
+// The side of the square of pixels on which a ball of this diameter lies.
+double whole_pixels(double diameter) {
+    if (diameter < least_three) return diameter < least_two ? 1.0 : 2.0;
+    return std::max(3.0, std::floor(diameter + rounding));
+}
+
 // Snapped to whole pixels: the middle of the ball is the middle of a pixel or a border, so that the
 // same pixels are covered wherever it is. `is_sharp`: the diameter is whole too.
 // `is_under_number`: the middle stays where it is.
@@ -32,15 +42,14 @@ Extent extent_of(double center, double diameter, bool is_snapped, bool is_sharp,
     extent.size = diameter;
     extent.first = center - 0.5 * diameter;
     if (is_snapped) {
-        double whole = std::max(1.0, std::floor(diameter + rounding));
+        double whole = whole_pixels(diameter);
         if (is_under_number) {
             const bool is_odd = center != std::floor(center);
             if (is_odd != (static_cast<int>(std::min(whole, 1e6)) % 2 == 1))
                 whole += diameter >= whole || whole < 2.0 ? 1.0 : -1.0;
         }
         const double first = std::round(center - 0.5 * whole);
-        if (is_sharp) extent.size = whole;
-        extent.size = std::max(extent.size, 1.0);
+        if (is_sharp || diameter < least_three) extent.size = whole;
         extent.first = first + 0.5 * (whole - extent.size);
     }
     const double most = count;
@@ -100,6 +109,7 @@ void Raster::paint_ball(RasterPoint center, double radius, int number_width, Pai
         extent_of(center.x / width_, across, is_snapped, is_sharp_, has_number, samples_across());
     const Extent rows =
         extent_of(center.y / height_, down, is_snapped, is_sharp_, has_number, samples_down());
+    const bool is_square = is_snapped && std::max(columns.size, rows.size) <= 2.0;
     PixelOfBall at;
     at.pixels = static_cast<int>(std::min({columns.size, rows.size, 1000.0}));
     at.is_low = rows.size < 3.0;
@@ -113,7 +123,7 @@ void Raster::paint_ball(RasterPoint center, double radius, int number_width, Pai
                 distance < 1e-9 ? 1.0 : (std::abs(at.x) + std::abs(at.y)) / distance;
             const double depth = 0.5 * (1.0 - distance) * std::min(columns.size, rows.size);
             at.cover = std::clamp(depth / width + 0.5, 0.0, 1.0);
-            if (is_sharp_) at.cover = at.cover >= 0.5 ? 1.0 : 0.0;
+            if (is_sharp_ || is_square) at.cover = at.cover >= 0.5 ? 1.0 : 0.0;
             if (at.cover > 0.0) paint(at);
         }
     }

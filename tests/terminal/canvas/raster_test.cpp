@@ -256,6 +256,27 @@ TEST_CASE("a dot shows on what is lit already, with few colours too") {
     }
 }
 
+TEST_CASE("a ball of one or two pixels is a full square wherever it lies, not a cross") {
+    for (const double radius : {0.5, 0.65, 0.72, 0.9, 1.2}) {
+        const int side = 2.0 * radius < 1.414 ? 1 : 2;
+        for (const double offset : {0.0, 0.2, 0.5, 0.85}) {
+            CAPTURE(radius);
+            CAPTURE(offset);
+            Raster raster(half_block_renderer(), 20, 10, 2.0);
+            raster.ball({10.0 + offset, 9.0 - 0.7 * offset}, radius, {});
+            int full = 0;
+            int lit = 0;
+            for (int down = 0; down < raster.samples_down(); ++down)
+                for (int across = 0; across < raster.samples_across(); ++across) {
+                    full += raster.level_at(across, down) == 255;
+                    lit += raster.level_at(across, down) > 0;
+                }
+            CHECK(full == side * side);
+            CHECK(lit == full);
+        }
+    }
+}
+
 TEST_CASE("shapes outside, huge or not finite paint nothing wrong") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double nan = std::nan("");
