@@ -247,6 +247,20 @@ Ink ink_of_color(const Rgb& rgb, const Look& look) {
     return {nearest_of(visible_colors(look.colors, theme.ground), lab_of(rgb)), plain};
 }
 
+Color color_of_hue(const Rgb& rgb, const Look& look) {
+    const Theme& theme = theme_for(look.theme, look.light_background);
+    const std::vector<Color> visible = visible_colors(look.colors, theme.ground).colors;
+    const Lab wanted = lab_of(rgb);
+    // The cosine of the angle between the hues, 1 if they are equal. Grey has none.
+    const auto likeness = [&](Color color) {
+        const Lab lab = lab_of(rgb_of(color));
+        const double chroma = std::hypot(lab.a, lab.b);
+        constexpr double least_chroma = 0.05;
+        return chroma < least_chroma ? -1.0 : (lab.a * wanted.a + lab.b * wanted.b) / chroma;
+    };
+    return *std::ranges::max_element(visible, {}, likeness);
+}
+
 Color text_color_on(Color color, const Look& look) {
     if (color < 0) return default_color;
     constexpr Color black = 16;

@@ -56,6 +56,10 @@ Ink ink_of_pool_ball(int number, const Look& look);
 /// The ink of a colour that an author chose.
 Ink ink_of_color(const Rgb& rgb, const Look& look);
 
+/// Of a terminal with few colours: the one with the hue nearest to that of `rgb`, for a pattern
+/// that lets the background through. Pre: look.has_colors().
+Color color_of_hue(const Rgb& rgb, const Look& look);
+
 /// Black or white: what can be read on `color`. default_color for default_color.
 Color text_color_on(Color color, const Look& look);
 

@@ -156,7 +156,9 @@ void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint 
     const bool is_flat = raster.renderer().has_pixels() && view.options.look.has_colors();
     if (is_flat && view.options.ball_style == BallStyle::filled) {
         const BallPaint paint = ball_paint(view, ball);
-        raster.ball(center, paint.is_lit ? radius : shown, paint);
+        // At pool the cue ball must be larger than the dots of the aim line.
+        const bool is_full = paint.is_lit || view.annotations.pool.has_value();
+        raster.ball(center, is_full ? radius : shown, paint);
         return;
     }
     if (!is_rimmed(raster, radius)) {

@@ -168,7 +168,7 @@ void paint_pool(Raster& raster, const View& view) {
     const PoolAnnotations& pool = *view.annotations.pool;
     const Look& look = view.options.look;
     const Ink strong = ink_of(Role::cue, look);
-    // On cloth, which is dark in every theme. Without shades there is no cloth.
+    // On cloth, which is dark in every theme. Without shades the background shows through it.
     const bool is_on_cloth = look.light_background && look.has_shades();
     const Ink text = ink_of(is_on_cloth ? Role::stripe_white : Role::text, look);
     const double radius = view.world.balls().size() > 0 ? view.world.balls().radius.front() : 0.0;

@@ -23,6 +23,13 @@ constexpr GroundColors pool_colors{0x1a6b48, 0x12523a, 0x5c3318, 0};
 constexpr GroundColors pinball_colors{0x16203a, 0, 0x3a3f4a, 0x2f4a6b};
 constexpr GroundColors plain_colors{0x20262e, 0, 0x4a4f57, 0};
 
+constexpr char32_t cloth_glyph = U'\u2591';
+
+Rgb rgb_of_dress(Rgb24 color) {
+    return {static_cast<int>(color >> 16 & 0xffU), static_cast<int>(color >> 8 & 0xffU),
+            static_cast<int>(color & 0xffU)};
+}
+
 Rgb24 scaled(Rgb24 color, double factor) {
     const auto channel = [&](int shift) {
         const double value = static_cast<double>(color >> shift & 0xffU) * factor;
@@ -61,9 +68,7 @@ Box bounds_of(const PaintedArea& area) {
 }  // namespace
 
 Ink dress_ink(Rgb24 color, const Look& look) {
-    const Rgb rgb{static_cast<int>(color >> 16 & 0xffU), static_cast<int>(color >> 8 & 0xffU),
-                  static_cast<int>(color & 0xffU)};
-    return ink_of_color(rgb, look);
+    return ink_of_color(rgb_of_dress(color), look);
 }
 
 Rgb24 nose_color(const Scene& scene) {
@@ -87,10 +92,27 @@ void GroundLayer::update(const Scene& scene, const Camera& camera, const Rendere
     if (key_ == key) return;
     key_ = key;
     colors_.clear();
-    // With few colours, a ball could have that of the ground.
+    cloth_.clear();
     const bool has_ground = !board_->is_empty() || !scene.dress.areas.empty();
     if (look.has_shades() && has_ground) fill(scene);
+    if (!look.has_shades()) weave(scene);
     paint();
+}
+
+// With few colours, a ball could have that of the ground, so cloth is no colour but a pattern of
+// dots, in the cells that are all cloth.
+void GroundLayer::weave(const Scene& scene) {
+    const Look& look = key_->look;
+    const bool shows_cloth = look.has_colors() && look.utf8 && key_->renderer->has_pixels();
+    if (!shows_cloth || board_->is_empty() || !is_pool_table(scene)) return;
+    const Color color = color_of_hue(rgb_of_dress(colors_of(scene).board), look);
+    const CellArea& area = key_->camera.area;
+    for (int row = 0; row < area.rows; ++row)
+        for (int column = 0; column < area.columns; ++column) {
+            const Vec2 middle =
+                to_world(key_->camera, {area.column + column + 0.5, area.row + row + 0.5});
+            cloth_.push_back(board_->at(middle) == Ground::board ? color : default_color);
+        }
 }
 
 void GroundLayer::fill(const Scene& scene) {
@@ -193,8 +215,16 @@ bool GroundLayer::is_bare(const Canvas& canvas, int column, int row) const {
 }
 
 void GroundLayer::lay(Canvas& canvas) const {
-    if (colors_.empty()) return;
     const CellArea& area = key_->camera.area;
+    for (std::size_t i = 0; i < cloth_.size(); ++i) {
+        const int column = area.column + static_cast<int>(i) % area.columns;
+        const int row = area.row + static_cast<int>(i) / area.columns;
+        if (cloth_[i] == default_color || !canvas.holds(column, row)) continue;
+        Cell& cell = canvas.at(column, row);
+        if (cell.glyph == U' ' && cell.background == default_color)
+            cell = {cloth_glyph, cloth_[i], default_color, plain};
+    }
+    if (colors_.empty()) return;
     const Renderer& renderer = *key_->renderer;
     for (int row = 0; row < area.rows; ++row)
         for (int column = 0; column < area.columns; ++column) {

@@ -48,6 +48,7 @@ class GroundLayer {
         friend bool operator==(const Key&, const Key&) = default;
     };
     void fill(const Scene& scene);
+    void weave(const Scene& scene);
     void paint();
     void fill_board(const Scene& scene);
     void fill_area(const PaintedArea& area);
@@ -68,6 +69,8 @@ class GroundLayer {
     int across_ = 0;                 ///< samples
     int down_ = 0;
     std::vector<Color> colors_;  ///< row by row; default_color: no ground; empty: none anywhere
+    /// With few colours: of the cloth of a pool table, cell by cell, as in `colors_`.
+    std::vector<Color> cloth_;
 };
 
 }  // namespace carom

@@ -57,6 +57,35 @@ TEST_CASE("board: the cloth of a table of any shape and with any number of pocke
     }
 }
 
+TEST_CASE("board: with few colours, cloth is a pattern of the colour with its hue") {
+    const Scene scene = scene_of(pool_table("box 0,0 200,100\n"));
+    constexpr char32_t light_shade = U'\u2591';
+    const auto picture = [&](const Look& look, const Renderer& renderer) {
+        Canvas canvas(80, 24);
+        const Camera camera = fit_camera({{-20, -20}, {220, 120}}, {0, 0, 80, 24}, 2.0);
+        ViewOptions options;
+        options.look = look;
+        options.renderer = &renderer;
+        ViewMemory memory;
+        draw_world(canvas, camera, scene, scene.world, {}, {}, options, memory);
+        return canvas;
+    };
+    constexpr Color green = 2;
+    for (const int colors : {8, 16})
+        for (const bool is_light : {false, true}) {
+            CAPTURE(colors);
+            CAPTURE(is_light);
+            const Canvas canvas = picture({colors, true, is_light}, half_block_renderer());
+            CHECK(canvas.at(60, 12).glyph == light_shade);
+            CHECK(canvas.at(60, 12).foreground == green);
+            CHECK(canvas.at(0, 0).glyph == U' ');
+        }
+    CHECK(picture({0, true, false}, half_block_renderer()).at(60, 12).glyph == U' ');
+    CHECK(picture({16, true, false}, ascii_renderer()).at(60, 12).glyph == U' ');
+    CHECK(picture({16, false, false}, half_block_renderer()).at(60, 12).glyph == U' ');
+    CHECK(picture({256, true, false}, half_block_renderer()).at(60, 12).glyph != light_shade);
+}
+
 TEST_CASE("board: gaps as wide as a ball do not let the outside in, and a lost wall does") {
     const Board gap(scene_of(pool_table("edge 0,0 98,0\nedge 104,0 200,0 200,100 0,100 0,0\n")));
     REQUIRE_FALSE(gap.is_empty());
