@@ -78,7 +78,7 @@ void Program::watch_or_tell(const std::string& recording) {
 }
 
 std::string_view Program::next_theme() {
-    const std::string_view next = theme_after(theme_);
+    const std::string_view next = theme_after(theme_, capabilities_.light_background);
     theme_ = *theme_choice(next);
     set_capabilities(capabilities_);  // renews what is drawn
     settings_.keep("theme", next);

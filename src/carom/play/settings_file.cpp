@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
-#include <vector>
 
 namespace carom {
 
@@ -19,15 +19,19 @@ std::optional<std::string> SettingsFile::take_fault() {
     return fmt::format("such choices are not kept: {}", *fault_);
 }
 
-std::string_view theme_after(const ThemeChoice& now) {
-    // A theme for the other background would hide the words, so it is no choice here.
-    std::vector<std::string_view> names;
-    for (const std::string_view name : theme_choice_names())
-        if (!theme_choice(name)->is_light) names.push_back(name);
-    const auto at = std::ranges::find(
-        names, now.name, [](std::string_view name) { return theme_choice(name)->name; });
-    const auto place = static_cast<std::size_t>(at - names.begin());
-    return names[(place + 1) % names.size()];
+std::string_view theme_after(const ThemeChoice& now, bool is_terminal_light) {
+    const std::span<const std::string_view> names = theme_choice_names();
+    const auto looks_like = [&](const ThemeChoice& choice) {
+        return std::pair(choice.name, choice.is_light.value_or(is_terminal_light));
+    };
+    const auto at =
+        std::ranges::find(names, now, [](std::string_view name) { return *theme_choice(name); });
+    auto place = static_cast<std::size_t>(at - names.begin());
+    const ThemeChoice automatic;
+    do
+        place = (place + 1) % names.size();
+    while (place > 0 && looks_like(*theme_choice(names[place])) == looks_like(automatic));
+    return names[place];
 }
 
 std::string change_key(const KeyPrompt::Changed& changed, KeyMap& keys, SettingsFile& file) {

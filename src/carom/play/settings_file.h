@@ -23,8 +23,9 @@ class SettingsFile {
     bool has_told_ = false;
 };
 
-/// The theme after this one that fits the terminal's background, whichever it is.
-std::string_view theme_after(const ThemeChoice& now);
+/// The theme after this one that looks different: `auto` is dark or light already, as the
+/// terminal's background is.
+std::string_view theme_after(const ThemeChoice& now, bool is_terminal_light);
 
 /// Gives the key to the action, and the key that the action had to what the new one did. Returns
 /// what they do now, for the player.

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "carom/files/high_scores.h"
+#include "carom/play/settings_file.h"
 #include "carom/support/home.h"
 #include "game/replay/replay_text.h"
 #include "game/replay/replayer.h"
@@ -254,6 +255,10 @@ TEST_CASE("the theme changes by a key, in play and in the menu, and is kept") {
     Running running(playing("test.level"));
     REQUIRE_FALSE(running.program.start());
     running.key(key::f1 + 1);
+    CHECK(running.sees("theme: light"));
+    running.program.draw(running.window);
+    CHECK(luminance(rgb_of(running.window.at(0, 0).background)) > 0.8);
+    running.key(key::f1 + 1);
     CHECK(running.sees("theme: contrast"));
     CHECK(contents(home.preferences()) == "theme = contrast\n");
     running.key(key::escape);
@@ -265,6 +270,22 @@ TEST_CASE("the theme changes by a key, in play and in the menu, and is kept") {
     CHECK_FALSE(running.sees("theme: color-blind"));
     running.key(key::f1 + 1);
     CHECK(running.sees("theme: auto"));
+}
+
+TEST_CASE("the key for themes goes to each that looks different on this terminal") {
+    const auto after = [](std::string_view now, bool is_terminal_light) {
+        return theme_after(*theme_choice(now), is_terminal_light);
+    };
+    for (const bool is_light : {false, true}) {
+        CAPTURE(is_light);
+        const std::string_view other = is_light ? "dark" : "light";
+        CHECK(after("auto", is_light) == other);
+        CHECK(after(other, is_light) == "contrast");
+        CHECK(after("contrast", is_light) == "color-blind");
+        CHECK(after("color-blind", is_light) == "auto");
+    }
+    CHECK(after("dark", false) == "light");
+    CHECK(after("light", true) == "contrast");
 }
 
 TEST_CASE("preferences that cannot be written are reported once, and the game continues") {
