@@ -55,6 +55,11 @@ TEST_CASE("notes: a run, its report and play show every kind") {
     }
 }
 
+TEST_CASE("notes: play says in plain words that a crowd of balls halts") {
+    CHECK(play_note({}, with(NoteKind::stood_still, 12))->text ==
+          "Too crowded: a moment's halt for 12 balls.");
+}
+
 TEST_CASE("notes: ticks are counted from the first, with the most of them") {
     RunNotes notes;
     notes.add(with(NoteKind::stood_still, 3), 7);
