@@ -51,6 +51,10 @@ LevelSource source_of(const PlayOptions& options, const std::string& argument) {
             options.seed, options.overrides, options.rewind_bytes};
 }
 
+LevelSource source_of(const Replay& replay, std::size_t rewind_bytes) {
+    return {replay.level, std::nullopt, replay.rate, replay.seed, replay.overrides, rewind_bytes};
+}
+
 LoadedLevel load(const LevelSource& source) {
     LoadOptions options;
     options.overrides = source.overrides;
@@ -77,9 +81,7 @@ std::variant<OpenedGame, Problems> open_game(const LevelSource& source) {
 }
 
 std::variant<Replayer, Problems> reopen_game(const Replay& replay, std::size_t rewind_bytes) {
-    const LevelSource source{replay.level, std::nullopt,     replay.rate,
-                             replay.seed,  replay.overrides, rewind_bytes};
-    LoadedLevel loaded = load(source);
+    LoadedLevel loaded = load(source_of(replay, rewind_bytes));
     if (!loaded.result.scene) return problems_of(loaded);
     if (loaded.result.scene->text_hash != replay.level_hash)
         return Problems{"The level has changed since the game was interrupted:", replay.level,

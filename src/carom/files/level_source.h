@@ -26,6 +26,9 @@ struct LevelSource {
 /// The level and options of the command line; `argument`: the level as the user names it.
 LevelSource source_of(const PlayOptions& options, const std::string& argument);
 
+/// The level of an unfinished game, as it was played.
+LevelSource source_of(const Replay& replay, std::size_t rewind_bytes);
+
 LoadedLevel load(const LevelSource& source);
 
 /// The reasons why a level cannot be played, line by line.

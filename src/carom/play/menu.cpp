@@ -55,7 +55,18 @@ std::vector<std::string> score_notes(const std::string& path, std::size_t most) 
 
 // Under which it is known what was loaded for an item.
 std::string key_of(const MenuItem& item) {
+    if (item.interrupted) return item.interrupted->file;
     return item.challenge ? item.challenge->name : item.path;
+}
+
+// Why an unfinished game cannot be resumed; empty if nothing is known to be in the way.
+std::vector<std::string> obstacle_of(const InterruptedGame& game, const LoadedLevel& loaded) {
+    if (!loaded.error.empty())
+        return {"Its level is gone, so it cannot be resumed:", game.replay.level};
+    if (!loaded.result.scene) return {"Its level has errors now. Press enter to see them."};
+    if (loaded.result.scene->text_hash != game.replay.level_hash)
+        return {"Its level has changed since, so it cannot be resumed."};
+    return {};
 }
 
 }  // namespace
@@ -138,16 +149,21 @@ void Menu::look_at_selected() {
     if (item.is_recording) return look_at_recording(item);
     LoadedLevel loaded = load_(item);
     LoadedEntry& known = loaded_[pictured_];
-    known.is_broken = !loaded.result.scene;
-    if (known.is_broken) {
-        known.notes = {"This level has errors. Press enter to see them."};
+    if (item.interrupted) known.notes = obstacle_of(*item.interrupted, loaded);
+    known.is_broken = !loaded.result.scene || !known.notes.empty();
+    if (!loaded.result.scene) {
+        if (!loaded.error.empty() && known.notes.empty()) known.notes = {loaded.error};
+        if (known.notes.empty()) known.notes = {"This level has errors. Press enter to see them."};
         return;
     }
     Scene& scene = *loaded.result.scene;
     known.goal = words_of(scene.comment).goal;
     if (known.goal.empty() && !scene.rules.goals.empty())
         known.goal = scene.rules.goals.front().text;
-    if (scene.table.is_game) known.notes = score_notes(item.path, scene.table.highscores);
+    if (item.interrupted && !known.is_broken)
+        known.notes = {fmt::format("Enter resumes it at {}.", item.badge)};
+    else if (scene.table.is_game)
+        known.notes = score_notes(item.path, scene.table.highscores);
     const SolverSettings solver = scene.solver.value_or(pick_solver(scene.world).settings);
     picture_.emplace(Session(std::move(scene), solver, 0), ViewOptions{}, KeyMap());
     picture_->demonstrate();

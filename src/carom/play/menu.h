@@ -28,7 +28,7 @@ struct MenuItem {
     std::string group;
     std::string path;                              ///< of the level
     std::string line{};                            ///< about the level
-    std::string badge{};                           ///< at the right of the title
+    std::string badge{};                           ///< at the right of the title: a score, a time
     std::optional<InterruptedGame> interrupted{};  ///< the unfinished game to resume, if it is one
     std::optional<Challenge> challenge{};          ///< if it is one
     bool is_recording = false;                     ///< `path` is one, to be watched

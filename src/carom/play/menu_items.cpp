@@ -40,10 +40,12 @@ void add_unfinished(std::vector<MenuItem>& items, std::span<const InterruptedGam
         const auto level = std::ranges::find(levels, name, &LevelEntry::name);
         const double seconds = static_cast<double>(game.replay.position) / game.replay.rate;
         std::string title = level == levels.end() || level->title.empty() ? name : level->title;
-        if (is_of_ladder(game.replay.opponent))
-            title = fmt::format("{}: {}", ai_player(game.replay.opponent).name, title);
+        // The level's title would leave no room: "8-ball to 2" says as much.
+        const auto rung = std::ranges::find(ladder(), game.replay.opponent, &LadderRung::opponent);
+        if (rung != ladder().end())
+            title = fmt::format("{}: {}", ai_player(rung->opponent).name, rung->game);
         items.push_back({name, std::move(title), "Unfinished", game.replay.level, "",
-                         "resume at " + time_text(seconds), game});
+                         time_text(seconds), game});
     }
 }
 

@@ -131,6 +131,8 @@ void Program::show_menu(std::string_view choose) {
     const auto folder = resume_folder();
     const auto interrupted = folder ? interrupted_games(*folder) : std::vector<InterruptedGame>{};
     const auto load_for_picture = [this](const MenuItem& item) {
+        if (item.interrupted)
+            return load(source_of(item.interrupted->replay, options_.rewind_bytes));
         return load(item.challenge ? source_of(options_, *item.challenge)
                                    : carom::source_of(options_, item.path));
     };

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "carom/support/home.h"
 #include "game/support/scenes.h"
 
 using namespace carom;
@@ -149,6 +150,24 @@ TEST_CASE("a broken level is reported") {
     visitor.key(key::down);
     visitor.menu.advance(0.2, may_go_on);
     CHECK(visitor.look().find("has errors") != std::string::npos);
+}
+
+TEST_CASE("an unfinished match of the ladder is named in full at 80 columns") {
+    const test::Home home;
+    InterruptedGame game;
+    game.file = "/s/eight-ball.resume";
+    game.replay.level = "/l/eight-ball.level";
+    game.replay.opponent = 9;  // the longest: "Mara: 10-ball to 3"
+    game.replay.rate = 120.0;
+    game.replay.position = 120 * 60 * 12;
+    const std::vector<InterruptedGame> games{game};
+    Menu menu(menu_items(games), [](const MenuItem&) { return LoadedLevel{}; });
+    Canvas window(80, 24);
+    ViewOptions view;
+    view.look = {0, false, false};
+    menu.draw(window, 2.0, view);
+    CHECK(window.text().find("Mara: 10-ball to 3") != std::string::npos);
+    CHECK(window.text().find(" 12:00") != std::string::npos);
 }
 
 TEST_CASE("an empty menu can be left") {

@@ -148,6 +148,21 @@ TEST_CASE("an interrupted game is resumed at the point of interruption") {
         REQUIRE_FALSE(after.program.start());
         CHECK_FALSE(after.sees("Unfinished"));
     }
+    SUBCASE("and the menu says when its level has gone, or has changed") {
+        const auto menu_sees = [](const std::string& text) {
+            Running running({});
+            CHECK_FALSE(running.program.start());
+            running.pass(0.2);
+            return running.sees(text);
+        };
+        CHECK(menu_sees("Enter resumes it at 0:01."));
+        home.write("test.level", std::string(level) + "ball at=30,20\n");
+        CHECK(menu_sees("Its level has changed since"));
+        home.write("test.level", "carom 1 \"Bad\"\nball at=0,0 r=-1\n");
+        CHECK(menu_sees("Its level has errors now"));
+        fs::remove("test.level");
+        CHECK(menu_sees("Its level is gone"));
+    }
     SUBCASE("but not on a level that has changed") {
         home.write("test.level", std::string(level) + "ball at=30,20\n");
         PlayOptions options;
