@@ -26,7 +26,8 @@ void tell_outcome(PlayContext& play) {
         play.notes, notes_of_tick(play.session.world(), play.session.solver().kind,
                                   play.session.standing(), rule_state(play.session.game())));
     // A note that lasts leaves room for other messages.
-    if (const auto note = play_note(before, play.notes))
+    const bool is_experiment = !play.session.scene().expects.empty();
+    if (const auto note = play_note(before, play.notes, is_experiment))
         if (note->has_begun || !play.messages.line()) complain(play, note->text);
 }
 

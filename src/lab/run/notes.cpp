@@ -35,6 +35,8 @@ struct NoteRow {
     std::string (*in_run)(const RunNotes& notes, const RunNotes::Ticks& ticks, double rate);
     std::string (*in_play)(const TickNotes& notes);
     void (*in_report)(JsonWriter& json, const RunNotes& notes, const RunNotes::Ticks& ticks);
+    /// In play of an experiment; null: as in all play.
+    std::string (*in_experiment)(const TickNotes& notes) = nullptr;
 };
 
 constexpr std::array<NoteRow, note_kinds> rows{{
@@ -119,7 +121,11 @@ constexpr std::array<NoteRow, note_kinds> rows{{
              json.field("most_balls", std::uint64_t{ticks.most.balls});
              if (ticks.most.seesaws > 0)
                  json.field("most_seesaws", std::uint64_t{ticks.most.seesaws});
-         }},
+         },
+     .in_experiment = [](const TickNotes& notes) -> std::string {
+         return fmt::format("Time stood still for {}: too many collisions.",
+                            text_of(notes.standing));
+     }},
 }};
 
 }  // namespace
@@ -169,13 +175,15 @@ void write_notes(JsonWriter& json, const RunNotes& notes) {
     json.end_list();
 }
 
-std::optional<PlayNote> play_note(const TickNotes& before, const TickNotes& now) {
+std::optional<PlayNote> play_note(const TickNotes& before, const TickNotes& now,
+                                  bool is_experiment) {
     std::optional<PlayNote> lasting;
     for (const NoteRow& row : rows) {
         if (total(row.count(now)) == 0) continue;
         const bool is_new = total(row.count(before)) == 0 || before.solver != now.solver;
-        if (is_new) return PlayNote{row.in_play(now), true};
-        if (!row.is_constant) lasting = {row.in_play(now), false};
+        const auto text = is_experiment && row.in_experiment ? row.in_experiment : row.in_play;
+        if (is_new) return PlayNote{text(now), true};
+        if (!row.is_constant) lasting = {text(now), false};
     }
     return lasting;
 }

@@ -64,11 +64,13 @@ std::string notes_text(const RunNotes& notes, double rate);
 void write_notes(JsonWriter& json, const RunNotes& notes);
 
 /// What play shows of a tick: the note that has begun, or else one that lasts. At most 60
-/// characters.
+/// characters. An experiment, which is a level that states what it expects, has precise words;
+/// others have plain ones.
 struct PlayNote {
     std::string text;
     bool has_begun = false;  ///< the tick before had no such note
 };
-std::optional<PlayNote> play_note(const TickNotes& before, const TickNotes& now);
+std::optional<PlayNote> play_note(const TickNotes& before, const TickNotes& now,
+                                  bool is_experiment = false);
 
 }  // namespace carom
