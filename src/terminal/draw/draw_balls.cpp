@@ -198,7 +198,11 @@ void paint_peg(Raster& raster, RasterPoint center, double radius, const Brush& b
         const auto above = std::ranges::upper_bound(large_stamps, radius, {}, &LargeStamp::radius);
         return stamp_rows(raster, center, *(above - 1), brush.fill, brush.ink);
     }
-    raster.disc(center, std::max(radius, raster.hairline()), 0.0, brush);
+    const double shown = std::max(radius, raster.hairline());
+    if (!raster.renderer().has_pixels()) return raster.disc(center, shown, 0.0, brush);
+    const Color color = brush.ink.color;
+    const BallPaint flat{.tones = {color, color, color, color}, .attributes = brush.ink.attributes};
+    raster.ball(center, shown, flat);
 }
 
 void paint_balls(Raster& raster, const View& view, Level level) {

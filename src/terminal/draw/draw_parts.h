@@ -27,8 +27,8 @@ struct View {
 };
 
 /// A world point, in the raster's columns.
-/// A round edge, `radius` in columns. In ASCII it is a few characters of the same shape wherever it
-/// lies.
+/// A round edge, `radius` in columns. It has the same shape wherever it lies: in ASCII a few
+/// characters, with pixels as a ball.
 void paint_peg(Raster& raster, RasterPoint center, double radius, const Brush& brush);
 
 /// The row in which a number is written on a ball whose middle is at `row`: in ASCII, a row of its

@@ -583,6 +583,27 @@ TEST_CASE("balls of a single kind each have their own colour, else each kind has
     CHECK(colors().first == colors().second);
 }
 
+TEST_CASE("small pegs of one size have one shape in half blocks, without dim borders") {
+    for (const double x : {5.0, 5.2, 5.5, 5.85}) {
+        CAPTURE(x);
+        Scene scene = table({{0, 0}, {20, 10}});
+        const Vec2 at{x, 5.3 - 0.5 * (x - 5.0)};
+        add_capsule(scene.world, {at, at, 0.8}, 0);
+        ViewOptions options = in(half_block_renderer());
+        const Canvas canvas = Drawing(20, 5).draw(scene, options).canvas;
+        const Color ink = ink_of_material(0, options.look).color;
+        int pixels = 0;
+        for (int row = 0; row < canvas.rows(); ++row)
+            for (int column = 0; column < canvas.columns(); ++column) {
+                const Cell& cell = canvas.at(column, row);
+                if (cell.glyph == U' ') continue;
+                CHECK(cell.foreground == ink);
+                pixels += cell.glyph == U'\u2588' || cell.background == ink ? 2 : 1;
+            }
+        CHECK(pixels == 4);
+    }
+}
+
 TEST_CASE("a peg is a + in characters however small, and one pixel in half blocks") {
     Scene scene = table({{0, 0}, {40, 20}});
     add_capsule(scene.world, {{20.3, 10.2}, {20.3, 10.2}, 0.05}, 0);
