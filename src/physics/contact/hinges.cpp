@@ -43,6 +43,14 @@ void ContactHinges::list() {
     }
 }
 
+// Whether balls have pressed it that way in the last substep.
+bool ContactHinges::is_pressed(std::uint32_t edge, double direction) const {
+    return std::ranges::any_of(constraints_, [&](const Constraint& constraint) {
+        return constraint.edge == edge && constraint.impulse > 0.0 &&
+               constraint.lever * direction < 0.0;
+    });
+}
+
 void ContactHinges::list_stops() {
     stops_.clear();
     const std::span<HeldEdge> edges = kinematics_.edges();
@@ -56,7 +64,7 @@ void ContactHinges::list_stops() {
         for (const double direction : {1.0, -1.0}) {
             const double gap =
                 direction > 0.0 ? seesaw.most - seesaw.angle : seesaw.angle - seesaw.least;
-            if (std::isfinite(gap) && !bounces)
+            if (std::isfinite(gap) && (!bounces || is_pressed(i, direction)))
                 stops_.push_back({.edge = i,
                                   .direction = direction,
                                   .room = std::max(0.0, gap) / step_.duration});

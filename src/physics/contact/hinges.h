@@ -18,8 +18,10 @@ class ContactPaths;
 /// the softness of the other constraints (constraints.h), and their own iterations, since the balls
 /// on a plank feel one another through it.
 ///
-/// A stop with a restitution takes only a seesaw that it would hardly bounce off: else the seesaw
-/// comes to the stop at its time (ContactImpacts).
+/// A stop with a restitution takes only a seesaw that it would hardly bounce off, or that balls
+/// press on it: else the seesaw comes to the stop at its time (ContactImpacts). A light plank under
+/// a ball takes on the ball's speed, so it would bounce in every substep, and carry nothing
+/// meanwhile.
 ///
 /// Cost: nothing where there are no seesaws.
 class ContactHinges {
@@ -68,6 +70,7 @@ class ContactHinges {
     HeldEdge& edge_of(std::uint32_t edge) { return kinematics_.edges()[edge]; }
     void list();
     void list_stops();
+    bool is_pressed(std::uint32_t edge, double direction) const;
     double energy_of_seesaws();
     void push(const Constraint& constraint, double impulse, double tangential);
     void solve(Constraint& constraint, bool is_soft);
