@@ -44,10 +44,10 @@ namespace carom {
 /// - The spin of a ball that cannot move (held, frozen, at rest in an impact) drives nothing.
 /// 4:
 /// - Seesaws: a stop ends the search of `event`. Under `contact` one that bounces may meet both
-///   stops in a substep. Under `swept` no ball rests on a fast one. Under `event` a hand that
-///   presses a ball on one yields.
+///   stops in a substep, and one that a ball presses on a stop stays there. Under `swept` no ball
+///   rests on a fast one. Under `event` a hand that presses a ball on one yields.
 /// - `contact`: a heap that owes energy is moved back, together with slow balls that have followed
-///   it.
+///   it. So are balls that have pressed at any time in the substep.
 /// - `event`: balls come to rest in every scene that loses energy, whether by restitution, slip,
 ///   drag or a stop speed.
 /// - `contact`: an edge that is about to hit a ball is not held back, so it hits at its full speed.
