@@ -172,7 +172,7 @@ TEST_CASE("contact: a ball that comes out of an edge does not throw the ball on 
 
 TEST_SUITE("long") {
     TEST_CASE("contact: 2,000 shafts and columns do not gain their energy back") {
-        // Number 527 reaches 1.15 % (docs/accuracy.md).
+        // Number 527 reaches 1.12 % (docs/accuracy.md).
         check_shafts(0, 2000, 6.0, 0.012);
     }
 }
