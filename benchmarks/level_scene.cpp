@@ -67,6 +67,7 @@ ListedScene list_of(const World& world, const RunPlan& plan) {
     Model listed = world.model();
     listed.gravity.reset();
     listed.inelastic = false;
+    listed.rough = false;
     listed.spin.reset();
     if (listed != Model{}) return {.error = "the list of a scene has no word for its terms"};
     const auto is_sink = [](const Zone& zone) { return zone.effect == Zone::Effect::sink; };
