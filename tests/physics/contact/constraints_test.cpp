@@ -3,19 +3,14 @@
 #include <doctest/doctest.h>
 
 #include "physics/contact/energy.h"
-#include "physics/contact/reference_positions.h"
-#include "physics/support/scenes.h"
+#include "physics/contact/substep_parts.h"
 
 namespace carom {
 namespace {
 
 // A ball of radius 0.5 and mass 1 that lies `overlap` deep in a floor, whose impulse of the last
 // substep holds its weight.
-struct RestingBall {
-    World world = scenes::empty();
-    ContactSubstep step;
-    ContactBodies bodies;
-    ContactPairs pairs;
+struct RestingBall : SubstepParts {
     ContactKinematics kinematics;
     ContactClassification classification{step, bodies, pairs, kinematics};
     ContactEnergy energy{step, bodies, pairs};
@@ -28,12 +23,7 @@ struct RestingBall {
         world.edit_definition().materials = {{.restitution = 0.0}};
         add_capsule(world, {{-5.0, 0.0}, {5.0, 0.0}, 0.0}, 0);
         add_ball(world, {.position = {0.0, 0.5 - overlap}});
-        step = contact_substep(world, 4, false);
-        set_reference_positions(world, step);
-        pairs.sort(world, bodies);
-        bodies.load(world);
-        pairs.find(world, bodies);
-        pairs.load(world, step, bodies, {});
+        load();
         pairs.all().front().impulse = 10.0 * step.duration;
     }
 

@@ -4,19 +4,14 @@
 
 #include <algorithm>
 
-#include "physics/contact/reference_positions.h"
-#include "physics/support/scenes.h"
+#include "physics/contact/substep_parts.h"
 
 namespace carom {
 namespace {
 
 // Two balls of radius 0.5 and mass 1, one above the other, over a floor at a height of 0. The
 // upper one has just been lifted by 0.1, as a constraint with the floor does it.
-struct LiftedBall {
-    World world = scenes::empty();
-    ContactSubstep step;
-    ContactBodies bodies;
-    ContactPairs pairs;
+struct LiftedBall : SubstepParts {
     PressGroups groups{step, bodies, pairs};
     ContactConstraint floor;
     std::uint32_t upper = 0;
@@ -28,12 +23,7 @@ struct LiftedBall {
         add_capsule(world, {{-5.0, 0.0}, {5.0, 0.0}, 0.0}, 0);
         add_ball(world, {.position = {0.0, 1.6}});
         add_ball(world, {.position = {0.0, height_of_lower}});
-        step = contact_substep(world, 4, false);
-        set_reference_positions(world, step);
-        pairs.sort(world, bodies);
-        bodies.load(world);
-        pairs.find(world, bodies);
-        pairs.load(world, step, bodies, {});
+        load();
         upper = body_of(0);
         lower = body_of(1);
         bodies.start_velocity.assign(bodies.body.size(), {});
