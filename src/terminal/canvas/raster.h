@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -48,7 +49,11 @@ struct BallPaint {
     /// The columns of a number that is written on it: its middle then is that of those cells. 0:
     /// none.
     int number_width = 0;
-    bool is_lit = false;  ///< shaded as a sphere, with a highlight at the upper left
+    bool is_lit = false;    ///< shaded as a sphere, with a highlight at the upper left
+    bool is_crisp = false;  ///< its border is not smoothed, as where borders are sharp
+    /// Where small balls lie close together, their pixels overlap. A pixel whose middle is nearer
+    /// to one of these points is left to the ball there.
+    std::span<const RasterPoint> rivals;
 };
 
 class Raster {
@@ -102,7 +107,7 @@ class Raster {
     };
 
     template <class Paint>
-    void paint_ball(RasterPoint center, double radius, int number_width, Paint paint);
+    void paint_ball(RasterPoint center, double radius, const BallPaint& ball, Paint paint);
     template <class Coverage>
     void paint_cell(int column, int row, const Brush& brush, Coverage coverage);
     template <class SpanAt, class Inside, class Coverage>

@@ -75,6 +75,16 @@ Color lit_tone(const Tones& tones, double x, double y, int pixels) {
     return tones.base;
 }
 
+double distance_squared(RasterPoint a, RasterPoint b) {
+    return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+}
+
+bool is_nearer_to_any(std::span<const RasterPoint> rivals, RasterPoint place, RasterPoint center) {
+    const double own = distance_squared(place, center);
+    return std::ranges::any_of(
+        rivals, [&](RasterPoint rival) { return distance_squared(place, rival) < own; });
+}
+
 /// A pixel that a ball covers.
 struct PixelOfBall {
     double x = 0.0;  ///< from -1 to 1 across the ball; y downwards
@@ -97,18 +107,19 @@ RasterPoint Raster::middle_of_number(RasterPoint center, int width) const {
 
 // Calls paint(const PixelOfBall&) for each of them.
 template <class Paint>
-void Raster::paint_ball(RasterPoint center, double radius, int number_width, Paint paint) {
+void Raster::paint_ball(RasterPoint center, double radius, const BallPaint& ball, Paint paint) {
     if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(radius)) return;
     if (!renderer_->has_pixels() || !(radius >= 0.0)) return;
     const double across = 2.0 * radius / width_;
     const double down = 2.0 * radius / height_;
-    const bool has_number = number_width > 0;
-    if (has_number) center = middle_of_number(center, number_width);
-    const bool is_snapped = has_number || is_sharp_ || std::min(across, down) <= most_snapped;
+    const bool has_number = ball.number_width > 0;
+    const bool is_sharp = is_sharp_ || ball.is_crisp;
+    if (has_number) center = middle_of_number(center, ball.number_width);
+    const bool is_snapped = has_number || is_sharp || std::min(across, down) <= most_snapped;
     const Extent columns =
-        extent_of(center.x / width_, across, is_snapped, is_sharp_, has_number, samples_across());
+        extent_of(center.x / width_, across, is_snapped, is_sharp, has_number, samples_across());
     const Extent rows =
-        extent_of(center.y / height_, down, is_snapped, is_sharp_, has_number, samples_down());
+        extent_of(center.y / height_, down, is_snapped, is_sharp, has_number, samples_down());
     const bool is_square = is_snapped && std::max(columns.size, rows.size) <= 2.0;
     PixelOfBall at;
     at.pixels = static_cast<int>(std::min({columns.size, rows.size, 1000.0}));
@@ -123,8 +134,9 @@ void Raster::paint_ball(RasterPoint center, double radius, int number_width, Pai
                 distance < 1e-9 ? 1.0 : (std::abs(at.x) + std::abs(at.y)) / distance;
             const double depth = 0.5 * (1.0 - distance) * std::min(columns.size, rows.size);
             at.cover = std::clamp(depth / width + 0.5, 0.0, 1.0);
-            if (is_sharp_ || is_square) at.cover = at.cover >= 0.5 ? 1.0 : 0.0;
-            if (at.cover > 0.0) paint(at);
+            if (is_sharp || is_square) at.cover = at.cover >= 0.5 ? 1.0 : 0.0;
+            const RasterPoint middle{(at.column + 0.5) * width_, (at.row + 0.5) * height_};
+            if (at.cover > 0.0 && !is_nearer_to_any(ball.rivals, middle, center)) paint(at);
         }
     }
 }
@@ -137,7 +149,7 @@ void Raster::blend_pixel(int column, int row, const Ink& ink, double opacity) {
 }
 
 void Raster::ball(RasterPoint center, double radius, const BallPaint& paint) {
-    paint_ball(center, radius, paint.number_width, [&](const PixelOfBall& at) {
+    paint_ball(center, radius, paint, [&](const PixelOfBall& at) {
         // A stripe is half as high as the ball; where there are two rows, it is the lower one.
         const bool is_band = paint.band && (at.is_low ? at.y > 0.0 : std::abs(at.y) < 0.5);
         const Tones& tones = is_band ? *paint.band : paint.tones;
@@ -149,7 +161,7 @@ void Raster::ball(RasterPoint center, double radius, const BallPaint& paint) {
 
 void Raster::ball_shadow(RasterPoint center, double radius, const BallPaint& paint, Color color) {
     constexpr double darkness = 0.42;
-    paint_ball(center, radius, paint.number_width, [&](const PixelOfBall& at) {
+    paint_ball(center, radius, paint, [&](const PixelOfBall& at) {
         if (at.pixels < least_shaded) return;
         // By whole pixels, so that the shadow has one shape wherever the ball is.
         const int away = std::max(1, at.pixels / 7);

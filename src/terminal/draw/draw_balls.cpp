@@ -133,6 +133,35 @@ BallPaint ball_paint(const View& view, std::size_t ball) {
     return paint;
 }
 
+/// The middles of balls whose pixels may overlap those of one ball: at most six as large touch it.
+struct Rivals {
+    std::array<RasterPoint, 6> middles{};
+    std::size_t count = 0;
+};
+
+// At pool alone, where racks are looked at ball by ball.
+Rivals rivals_of(const View& view, std::size_t ball) {
+    Rivals rivals;
+    if (!view.annotations.pool) return rivals;
+    const Balls& balls = view.world.balls();
+    constexpr double near = 1.5;  // sums of radii
+    for (std::size_t i = 0; i < balls.size() && rivals.count < rivals.middles.size(); ++i) {
+        const double reach = near * (balls.radius[i] + balls.radius[ball]);
+        if (i == ball || length(balls.position[i] - balls.position[ball]) > reach) continue;
+        rivals.middles[rivals.count++] = to_raster(view.camera, balls.position[i]);
+    }
+    return rivals;
+}
+
+// At pool the cue ball must be larger than the dots of the aim line, so a ball that is about as
+// large as a pixel takes two.
+double radius_at_pool(const Raster& raster, const View& view, double radius) {
+    constexpr double most_enlarged = 1.5;
+    const double least = 0.75 / raster.renderer().across;
+    if (!view.annotations.pool || radius >= least) return radius;
+    return most_enlarged * radius >= least ? least : radius;
+}
+
 void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint center) {
     const double radius = view.world.balls().radius[ball] * view.camera.columns_per_length;
     if (const std::size_t width = stamp_width(raster, radius)) {
@@ -155,10 +184,11 @@ void paint_ball(Raster& raster, const View& view, std::size_t ball, RasterPoint 
     const double shown = radius > 4.0 * gap ? radius - gap : radius;
     const bool is_flat = raster.renderer().has_pixels() && view.options.look.has_colors();
     if (is_flat && view.options.ball_style == BallStyle::filled) {
-        const BallPaint paint = ball_paint(view, ball);
-        // At pool the cue ball must be larger than the dots of the aim line.
+        const Rivals rivals = rivals_of(view, ball);
+        BallPaint paint = ball_paint(view, ball);
+        paint.rivals = std::span(rivals.middles).first(rivals.count);
         const bool is_full = paint.is_lit || view.annotations.pool.has_value();
-        raster.ball(center, is_full ? radius : shown, paint);
+        raster.ball(center, is_full ? radius_at_pool(raster, view, radius) : shown, paint);
         return;
     }
     if (!is_rimmed(raster, radius)) {

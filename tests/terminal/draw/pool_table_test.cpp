@@ -1,0 +1,132 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "level/load.h"
+#include "terminal/canvas/color.h"
+#include "terminal/draw/draw.h"
+
+using namespace carom;
+
+namespace {
+
+// A pool table of 200 x 100 with jaws, and two pockets in corners.
+Scene table_with_jaws(const std::string& balls) {
+    LoadResult result = load_level(
+        "carom 1 \"t\"\n"
+        "use cloth slide=0.2 roll=0.01 spin=10 g=10\nuse spin\nball cue at=40,50 r=2\n"
+        "cue ball=cue power=0..10\n"
+        "edge 6,0 194,0\nedge 6,100 194,100\nedge 0,6 0,94\nedge 200,6 200,94\n"
+        "edge 6,0 2,-6\nedge 0,6 -6,2\nedge 194,100 198,106\nedge 200,94 206,98\n"
+        "pocket c at=-3,-3 r=5\npocket d at=203,103 r=5\n" +
+            balls,
+        "test.level");
+    REQUIRE(result.scene);
+    return std::move(*result.scene);
+}
+
+Look look_with(int colors) {
+    Look look;
+    look.colors = colors;
+    look.utf8 = true;
+    return look;
+}
+
+struct PixelPicture {
+    Canvas canvas;
+    Camera camera;
+
+    /// The colours of the two pixels of each cell, from the left and from the top.
+    Color pixel(int column, int row) const {
+        const Cell& cell = canvas.at(column, row / 2);
+        if (cell.glyph == U'\u2588') return cell.foreground;
+        const bool is_upper = row % 2 == 0;
+        if (cell.glyph == U'\u2580') return is_upper ? cell.foreground : cell.background;
+        if (cell.glyph == U'\u2584') return is_upper ? cell.background : cell.foreground;
+        return cell.background;
+    }
+};
+
+PixelPicture pixels_of(const Scene& scene, const Look& look, const Annotations& annotations = {},
+                       int columns = 80, int rows = 24) {
+    PixelPicture picture{Canvas(columns, rows),
+                         fit_camera({{-15, -15}, {215, 115}}, {0, 0, columns, rows}, 2.0)};
+    ViewOptions options;
+    options.look = look;
+    options.renderer = &half_block_renderer();
+    ViewMemory memory;
+    draw_world(picture.canvas, picture.camera, scene, scene.world, {}, annotations, options,
+               memory);
+    return picture;
+}
+
+// The pixels around a place.
+std::vector<Color> around(const PixelPicture& picture, Vec2 place, int reach) {
+    const CellPoint at = to_cells(picture.camera, place);
+    std::vector<Color> colors;
+    for (int y = -reach; y <= reach; ++y)
+        for (int x = -reach; x <= reach; ++x)
+            colors.push_back(
+                picture.pixel(static_cast<int>(at.column) + x, static_cast<int>(2.0 * at.row) + y));
+    return colors;
+}
+
+Annotations numbered_balls(const Scene& scene) {
+    Annotations annotations;
+    annotations.pool.emplace();
+    const Balls& balls = scene.world.balls();
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        annotations.pool->numbers.push_back({balls.id[i], static_cast<int>(i)});
+    return annotations;
+}
+
+}  // namespace
+
+TEST_CASE("pool table: each ball of a rack of small balls keeps its share of the pixels") {
+    // Fifteen balls that touch, each with a colour of its own, 1.5 pixels wide.
+    int few = 0;
+    int balls = 0;
+    for (int shift = 0; shift < 16; ++shift) {
+        std::string rack;
+        for (int row = 0; row < 5; ++row)
+            for (int i = 0; i <= row; ++i)
+                rack += fmt::format("ball b{}{} at={},{} r=2 color=#{:02x}{:02x}80\n", row, i,
+                                    140.0 + 0.7 * (shift % 4) + 4.01 * 0.8661 * row,
+                                    50.0 + 0.7 * (shift / 4) + 4.01 * (i - 0.5 * row), 50 * row,
+                                    50 * i);
+        const Scene scene = table_with_jaws(rack);
+        Annotations annotations;
+        annotations.pool.emplace();
+        const PixelPicture picture =
+            pixels_of(scene, look_with(direct_colors), annotations, 88, 28);
+        const std::vector<Color> colors = around(picture, {147, 50}, 8);
+        for (int row = 0; row < 5; ++row)
+            for (int i = 0; i <= row; ++i) {
+                const auto count = std::ranges::count_if(colors, [&](Color color) {
+                    return color != default_color && rgb_of(color) == Rgb{50 * row, 50 * i, 128};
+                });
+                few += count < 2;
+                ++balls;
+            }
+    }
+    CAPTURE(few);
+    // A ball has two pixels on average: few have only one.
+    CHECK(10 * few <= balls);
+}
+
+TEST_CASE("pool table: a ball about as large as a pixel takes two, so the cue ball is no dot") {
+    const Scene scene = table_with_jaws("");
+    const Look look = look_with(direct_colors);
+    const auto lit_pixels = [&](int columns, int rows) {
+        const PixelPicture picture = pixels_of(scene, look, numbered_balls(scene), columns, rows);
+        const Vec2 cue = scene.world.balls().position[0];
+        const Color own = around(picture, cue, 0).front();
+        const std::vector<Color> colors = around(picture, cue, 3);
+        return std::ranges::count(colors, own);
+    };
+    CHECK(lit_pixels(62, 20) == 4);
+    CHECK(lit_pixels(30, 10) == 1);
+}
