@@ -77,7 +77,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     // A cloud extends beyond its balls, and would hide the walls that they rest on.
     if (!annotations.copies.empty()) paint_cloud(raster, view);
     paint_edges(raster, view, Level::board);
-    paint_small_holes(raster, view);
+    paint_holes(raster, view);
     paint_hinges(raster, view);
     paint_lit_edges(raster, view);
     const bool shows_balls = annotations.copies.empty();

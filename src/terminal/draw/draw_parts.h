@@ -61,12 +61,14 @@ std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
 /// bodies.
 void paint_overlays_below(Raster& raster, const View& view);
 void paint_overlays_above(Raster& raster, const View& view);
-/// Pockets, diamonds, head string and spots.
+/// The leather of pockets, diamonds, head string and spots.
 void paint_pool_table(Raster& raster, const View& view, const Board& board);
-/// Again, over the cushions: they would cover holes that are smaller than a pixel.
-void paint_small_holes(Raster& raster, const View& view);
-/// Whether the zone is a pocket that paint_pool_table draws.
-bool paints_pocket(const Raster& raster, const View& view, std::size_t zone);
+/// The holes of pockets, over the cushions, which would cover small ones. They have the same shape
+/// wherever they lie.
+void paint_holes(Raster& raster, const View& view);
+/// With pixels: paints the zone if it is a pocket that paint_pool_table and paint_holes do not
+/// draw. Whether it is a pocket.
+bool paint_pocket(Raster& raster, const View& view, std::size_t zone);
 /// The border of a torus, where there is something to be seen beyond it.
 void paint_border(Raster& raster, const View& view);
 void paint_zones(Raster& raster, const View& view);

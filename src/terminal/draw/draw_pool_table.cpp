@@ -16,25 +16,23 @@ constexpr Rgb24 diamond_color = 0xe9dfc4;
 constexpr Rgb24 chalk_color = 0x7fb697;  // on green cloth: a mixture of both
 constexpr double leather_share = 0.94;   // of the pocket's radius
 
-// The radius of a hole as it is drawn, in columns: a smaller one would be lost between pixels.
-constexpr double least_hole = 0.75;
+// Leather shows around a hole of this many columns or more. Around a smaller one it would only blur
+// the border.
+constexpr double least_leather = 2.0;
 
-void paint_hole(Raster& raster, const View& view, const Capsule& pocket) {
-    const double radius = hole_share * pocket.radius * view.camera.columns_per_length;
-    const Brush brush{.ink = dress_ink(hole_color, view.options.look),
-                      .is_crisp = radius < 2.0 * least_hole};
-    raster.disc(to_raster(view.camera, pocket.start), std::max(radius, least_hole), 0.0, brush);
+double hole_radius(const View& view, const Capsule& pocket) {
+    // Two pixels at least: a smaller hole would be lost among the cushions.
+    const double least = 1.0 / renderer_in_force(view.options).across;
+    return std::max(least, hole_share * pocket.radius * view.camera.columns_per_length);
 }
 
-void paint_pockets(Raster& raster, const View& view) {
-    const Look& look = view.options.look;
-    const Ink leather = dress_ink(leather_color, look);
+void paint_leather(Raster& raster, const View& view) {
+    const Ink leather = dress_ink(leather_color, view.options.look);
     for (const std::uint32_t pocket : view.scene.pool.pockets) {
         const Capsule& shape = view.world.zones()[pocket].shape;
-        const RasterPoint at = to_raster(view.camera, shape.start);
-        const double radius = shape.radius * view.camera.columns_per_length;
-        raster.disc(at, leather_share * radius, 0.0, {leather, 255, '\0'});
-        paint_hole(raster, view, shape);
+        if (hole_radius(view, shape) < least_leather) continue;
+        const double radius = leather_share * shape.radius * view.camera.columns_per_length;
+        raster.disc(to_raster(view.camera, shape.start), radius, 0.0, {leather, 255, '\0'});
     }
 }
 
@@ -137,22 +135,38 @@ bool paints_tables(const Raster& raster, const View& view) {
 
 }  // namespace
 
-bool paints_pocket(const Raster& raster, const View& view, std::size_t zone) {
-    return paints_tables(raster, view) && std::ranges::count(view.scene.pool.pockets, zone) > 0;
+bool paint_pocket(Raster& raster, const View& view, std::size_t zone) {
+    if (!raster.renderer().has_pixels() || std::ranges::count(view.scene.pool.pockets, zone) == 0)
+        return false;
+    if (paints_tables(raster, view)) return true;
+    // Without shades, a hole has no colour of its own, but a rim as cushions have.
+    const Capsule& shape = view.world.zones()[zone].shape;
+    const double radius = shape.radius * view.camera.columns_per_length;
+    raster.disc(to_raster(view.camera, shape.start), radius, 2.0 * raster.hairline(),
+                {ink_of(Role::edge, view.options.look), 0, '\0'});
+    return true;
 }
 
-void paint_small_holes(Raster& raster, const View& view) {
-    if (!paints_tables(raster, view)) return;
+void paint_holes(Raster& raster, const View& view) {
+    if (!raster.renderer().has_pixels()) return;
+    const Look& look = view.options.look;
+    const Color color = dress_ink(hole_color, look).color;
+    // A rim of so few pixels would hide the hole, which shows on cloth without one.
+    const double least_rimmed = 3.0 / raster.renderer().across;
     for (const std::uint32_t pocket : view.scene.pool.pockets) {
         const Capsule& shape = view.world.zones()[pocket].shape;
-        if (hole_share * shape.radius * view.camera.columns_per_length < least_hole)
-            paint_hole(raster, view, shape);
+        const RasterPoint at = to_raster(view.camera, shape.start);
+        const double radius = hole_radius(view, shape);
+        if (look.has_shades())
+            raster.ball(at, radius, {.tones = {color, color, color, color}, .is_crisp = true});
+        else if (look.has_colors() && radius < least_rimmed)
+            raster.disc(at, radius / hole_share, 0.0, {{}, 0, '\0', false, true});
     }
 }
 
 void paint_pool_table(Raster& raster, const View& view, const Board& board) {
     if (!is_pool_table(view.scene) || !paints_tables(raster, view)) return;
-    if (board.is_empty()) return paint_pockets(raster, view);
+    if (board.is_empty()) return paint_leather(raster, view);
     const std::optional<TableAxes> axes = axes_of(view, board);
     const std::optional<BaulkD>& d = view.scene.pool.d;
     if (axes && d)
@@ -160,7 +174,7 @@ void paint_pool_table(Raster& raster, const View& view, const Board& board) {
     else if (axes && !view.scene.pool.racks.empty())
         paint_markings(raster, view, *axes);
     if (axes && !d) paint_diamonds(raster, view, board, *axes);
-    paint_pockets(raster, view);
+    paint_leather(raster, view);
 }
 
 }  // namespace carom

@@ -149,7 +149,7 @@ void paint_zones(Raster& raster, const View& view) {
         const Zone& zone = view.world.zones()[i];
         // Walls show where a counting zone is; a sink has none, and must be seen.
         if (zone.effect != Zone::Effect::sink) continue;
-        if (paints_pocket(raster, view, i)) continue;
+        if (paint_pocket(raster, view, i)) continue;
         const RasterPoint start = to_raster(view.camera, zone.shape.start);
         const RasterPoint end = to_raster(view.camera, zone.shape.end);
         const double radius = zone.shape.radius * view.camera.columns_per_length;

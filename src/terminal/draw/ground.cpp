@@ -57,6 +57,13 @@ bool is_mosaic(char32_t glyph) {
            (glyph >= U'\U0001cc00' && glyph <= U'\U0001cebf');
 }
 
+bool is_in_pocket(const Scene& scene, Vec2 place, double margin) {
+    return std::ranges::any_of(scene.pool.pockets, [&](std::uint32_t pocket) {
+        const Capsule& shape = scene.world.zones()[pocket].shape;
+        return length(place - shape.start) < shape.radius + margin;
+    });
+}
+
 Box bounds_of(const PaintedArea& area) {
     if (area.corners.empty()) return bounds(area.disc);
     Box box{area.corners.front(), area.corners.front()};
@@ -107,11 +114,14 @@ void GroundLayer::weave(const Scene& scene) {
     if (!shows_cloth || board_->is_empty() || !is_pool_table(scene)) return;
     const Color color = color_of_hue(rgb_of_dress(colors_of(scene).board), look);
     const CellArea& area = key_->camera.area;
+    const double half_cell = 0.5 / key_->camera.columns_per_length;
     for (int row = 0; row < area.rows; ++row)
         for (int column = 0; column < area.columns; ++column) {
             const Vec2 middle =
                 to_world(key_->camera, {area.column + column + 0.5, area.row + row + 0.5});
-            cloth_.push_back(board_->at(middle) == Ground::board ? color : default_color);
+            const bool is_cloth =
+                board_->at(middle) == Ground::board && !is_in_pocket(scene, middle, half_cell);
+            cloth_.push_back(is_cloth ? color : default_color);
         }
 }
 

@@ -85,6 +85,39 @@ Annotations numbered_balls(const Scene& scene) {
 
 }  // namespace
 
+TEST_CASE("pool table: a small pocket is a whole hole over its cushions, the same at each corner") {
+    const Look look = look_with(direct_colors);
+    const PixelPicture picture = pixels_of(table_with_jaws(""), look);
+    std::vector<std::ptrdiff_t> dark;
+    for (const Vec2 pocket : {Vec2{-3, -3}, Vec2{203, 103}}) {
+        const std::vector<Color> colors = around(picture, pocket, 3);
+        dark.push_back(std::ranges::count_if(colors, [&](Color color) {
+            const Rgb rgb = rgb_of(color);
+            return color != default_color && rgb.red + rgb.green + rgb.blue < 60;
+        }));
+    }
+    CHECK(dark[0] == 9);
+    CHECK(dark[1] == dark[0]);
+}
+
+TEST_CASE("pool table: without shades a small pocket is a gap in the cushions and in the cloth") {
+    for (const int colors : {8, 16}) {
+        CAPTURE(colors);
+        const PixelPicture picture =
+            pixels_of(table_with_jaws("pocket e at=100,50 r=3\n"), look_with(colors));
+        for (const Vec2 pocket : {Vec2{-3, -3}, Vec2{203, 103}, Vec2{100, 50}})
+            for (const Color color : around(picture, pocket, 0))
+                CHECK(color == default_color);
+        const CellPoint hole = to_cells(picture.camera, {100, 50});
+        CHECK(picture.canvas.at(static_cast<int>(hole.column), static_cast<int>(hole.row)).glyph ==
+              U' ');
+    }
+    // Without colours there is no cloth, and a hole shows by its rim.
+    const PixelPicture plain = pixels_of(table_with_jaws("pocket e at=100,50 r=3\n"), look_with(0));
+    const CellPoint hole = to_cells(plain.camera, {100, 50});
+    CHECK(plain.canvas.at(static_cast<int>(hole.column), static_cast<int>(hole.row)).glyph != U' ');
+}
+
 TEST_CASE("pool table: each ball of a rack of small balls keeps its share of the pixels") {
     // Fifteen balls that touch, each with a colour of its own, 1.5 pixels wide.
     int few = 0;
