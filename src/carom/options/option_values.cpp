@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "carom/text/suggest.h"
 #include "terminal/canvas/renderer.h"
@@ -81,7 +82,8 @@ double number_in(NumberRange range, std::string_view option, const std::string& 
 
 std::uint64_t whole_number(std::string_view option, const std::string& text) {
     if (const auto value = parsed<std::uint64_t>(text)) return *value;
-    throw BadValue(fmt::format("{} must be a whole number, 0 or more, but is '{}'", option, text));
+    throw BadValue(fmt::format("{} must be a whole number from 0 to {}, but is '{}'", option,
+                               std::numeric_limits<std::uint64_t>::max(), text));
 }
 
 std::vector<double> numbers_in(NumberRange range, std::string_view option,
