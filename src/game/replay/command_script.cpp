@@ -4,6 +4,7 @@
 
 #include "game/replay/replay_commands.h"
 #include "game/replay/replay_words.h"
+#include "level/text/text.h"
 
 namespace carom {
 namespace {
@@ -13,7 +14,7 @@ std::string words_of(std::string_view line) {
     std::string text;
     bool is_between = false;
     for (const char c : line.substr(0, line.find('#'))) {
-        const bool is_blank = c == ' ' || c == '\t' || c == '\r';
+        const bool is_blank = c == ' ' || c == '\t';
         if (!is_blank && is_between && !text.empty()) text += ' ';
         if (!is_blank) text += c;
         is_between = is_blank;
@@ -66,10 +67,10 @@ std::span<const std::string_view> command_examples() {
 
 std::variant<CommandScript, ReplayError> read_script(std::string_view text) {
     CommandScript script;
-    for (int line = 1; !text.empty(); ++line) {
-        const std::size_t end = text.find('\n');
-        const std::string content = words_of(text.substr(0, end));
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    int line = 0;
+    for (const std::string_view written : split_lines(text)) {
+        ++line;
+        const std::string content = words_of(written);
         if (content.empty()) continue;
         Words words(content);
         if (words.next() != "at")

@@ -12,7 +12,7 @@ using carom::test::busy_box;
 
 TEST_CASE("a script of commands is read, with its comments, blanks and line ends") {
     const auto read = read_script(
-        "# push\r\n\n"
+        "\xef\xbb\xbf# push\r\n\n"
         "  at 0   hold-edge  2\t39.5,0 39.5,20   # to the left\r\n"
         "at 120 drop-edge 2\n"
         "at 120 solver substep updates=8");
