@@ -82,7 +82,7 @@ int check(const CheckOptions& options) {
         print_diagnostics(level.result.diagnostics);
         if (!level.result.scene) {
             all_load = false;
-        } else if (!print_out(fmt::format("{}: ok\n", level.path))) {
+        } else if (!print_out(fmt::format("{}: ok\n", printable(level.path)))) {
             return 2;
         }
     }

@@ -45,10 +45,10 @@ int new_level(const NewOptions& options) {
         print_error(*error);
         return 2;
     }
-    return print_out(fmt::format("{}: try `carom play {} --watch`, and edit it\n", options.file,
-                                 options.file))
-               ? 0
-               : 2;
+    const std::string name = printable(options.file);
+    const std::string told =
+        fmt::format("{}: try `carom play {} --watch`, and edit it\n", name, name);
+    return print_out(told) ? 0 : 2;
 }
 
 }  // namespace carom

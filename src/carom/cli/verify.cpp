@@ -77,13 +77,14 @@ int verify(const VerifyOptions& options) {
         return 2;
     }
     if (replayer.failure()) {
-        const std::string text = fmt::format("{}: {}\n{}", options.file,
+        const std::string text = fmt::format("{}: {}\n{}", printable(options.file),
                                              difference(replayer, replay), other_program(replay));
         return print_out(text) ? 1 : 2;
     }
-    const std::string text = fmt::format(
-        "{}: the same: {} ticks ({}), {} commands, {} fingerprints\n", options.file, replay.end,
-        seconds_of(replay.end, replay.rate), replay.commands.size(), replay.marks.size());
+    const std::string text =
+        fmt::format("{}: the same: {} ticks ({}), {} commands, {} fingerprints\n",
+                    printable(options.file), replay.end, seconds_of(replay.end, replay.rate),
+                    replay.commands.size(), replay.marks.size());
     return print_out(text) ? 0 : 2;
 }
 

@@ -30,7 +30,9 @@ void print_error(std::string_view sentence) {
     print_note(fmt::format("carom: error: {}\n", sentence));
 }
 
-void print_note(std::string_view text) {
+void print_note(std::string_view note) {
+    const std::string lines = printable_lines(note);
+    std::string_view text = lines;
     while (!text.empty()) {
         const ssize_t put = ::write(STDERR_FILENO, text.data(), text.size());
         if (put > 0) text.remove_prefix(static_cast<std::size_t>(put));

@@ -16,8 +16,9 @@ bool print_out(std::string_view text);
 /// Prints "carom: error: SENTENCE" to standard error.
 void print_error(std::string_view sentence);
 
-/// Prints to standard error, unchanged.
-void print_note(std::string_view text);
+/// Prints to standard error, made safe for a terminal line by line (`printable`): names of files
+/// may hold anything.
+void print_note(std::string_view note);
 
 /// Prints diagnostics to standard error, followed by a count if there are several.
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics);

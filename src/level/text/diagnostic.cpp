@@ -43,6 +43,15 @@ std::string printable(std::string_view text) {
     return fmt::format("{}", fmt::join(printable_characters(text), ""));
 }
 
+std::string printable_lines(std::string_view text) {
+    std::string lines;
+    for (std::size_t end = 0; (end = text.find('\n')) != std::string_view::npos;) {
+        lines += printable(text.substr(0, end)) + '\n';
+        text.remove_prefix(end + 1);
+    }
+    return lines + printable(text);
+}
+
 std::string render(const Diagnostic& d) {
     const std::vector<std::string> line = printable_characters(d.source);
     const int size = static_cast<int>(line.size());

@@ -249,6 +249,28 @@ TEST_CASE("outputs that cannot be written are exit code 2, and leave no files") 
     CHECK(folder.names() == std::vector<std::string>{"ramp.level"});
 }
 
+TEST_CASE("names of files reach the terminal without their control characters") {
+    const TemporaryFolder folder;
+    const std::string level = folder.file("red\x1b[31m.level", ramp);
+    const std::string broken = folder.file("broken\x1b[31m.level", "carom 1\n");
+    const std::string recording = folder.path("red\x1b[31m.replay");
+    CHECK(run_carom({"run", level, "--ticks", "9", "--record", recording}).exit_code == 0);
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"check", level},
+             {"check", broken},
+             {"run", folder.path("none\x1b[31m")},
+             {"run", level, "--commands", folder.path("none\x1b[31m")},
+             {"verify", recording},
+             {"verify", level},
+             {"new", folder.path("new\x1b[31m.level")},
+             {"list", "\x1b[31m"}}) {
+        CAPTURE(arguments.front());
+        const Finished finished = run_carom(arguments);
+        CHECK(has(finished.out + finished.err, "?[31m"));
+        CHECK_FALSE(has(finished.out + finished.err, "\x1b"));
+    }
+}
+
 TEST_CASE("a closed pipe ends the run silently") {
     const TemporaryFolder folder;
     const std::string level = folder.file("ramp.level", ramp);
