@@ -51,6 +51,7 @@ namespace carom {
 /// - `event`: balls come to rest in every scene that loses energy, whether by restitution, slip,
 ///   drag or a stop speed.
 /// - `contact`: an edge that is about to hit a ball is not held back, so it hits at its full speed.
+/// - Contacts that last: the fastest of an impact sets the steps, not the first.
 /// - Pinball: the ball saver and timers stand while the only ball waits at the plunger.
 inline constexpr int physics_version = 4;
 

@@ -79,6 +79,7 @@ Range expected(const World& world, double Vec2::*axis) {
 CellFrame cells_over(CellFrame frame, Vec2 extent, double side, double points,
                      double cells_a_point) {
     const double most_cells = cells_a_point * points + 64.0;
+    if (!std::isfinite(extent.x) || !std::isfinite(extent.y)) extent = {};
     if (!(side > 0.0) || !std::isfinite(side)) side = 1.0;
     const double cells = (extent.x / side + 1.0) * (extent.y / side + 1.0);
     if (cells > most_cells)

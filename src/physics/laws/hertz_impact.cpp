@@ -8,6 +8,7 @@ namespace {
 
 constexpr double steps_in_shortest = 128.0;
 constexpr double most_steps_in_longest = 16384.0;
+constexpr double least_steps_in_shortest = 32.0;
 // An impact runs through a chain of touching balls in less than half of a contact for each.
 constexpr std::size_t longest_at_least = 64;
 constexpr std::size_t longest_by_body = 4;
@@ -55,16 +56,21 @@ const std::vector<HertzTouch<Real>>& HertzImpact<Real>::press(
     touches_.clear();
     lost_ = Real{};
     work_ = 0;
+    // The faster a contact, the shorter: one that joins later may close faster than the first.
+    Real fastest = speed;
+    for (const HertzContact<Real>& each : contacts)
+        fastest = std::max(fastest, approach_of<Real>(each.contact, bodies));
     Real shortest{};
     Real longest{};
     for (const HertzContact<Real>& each : contacts) {
         const Real duration =
-            hertz_duration(each.stiffness, reduced_mass(each.contact, bodies), speed);
+            hertz_duration(each.stiffness, reduced_mass(each.contact, bodies), fastest);
         if (!(shortest > Real{}) || duration < shortest) shortest = duration;
         if (longest < duration) longest = duration;
     }
     const Real step =
         std::max(shortest / Real(steps_in_shortest), longest / Real(most_steps_in_longest));
+    if (shortest < step * Real(least_steps_in_shortest)) return touches_;
     const auto most_steps = static_cast<std::size_t>(static_cast<double>(longest / step)) *
                             (longest_at_least + longest_by_body * bodies.size());
     offset_.assign(bodies.size(), {});

@@ -51,17 +51,19 @@ Real hertz_duration(const Real& stiffness, const Real& mass, const Real& speed);
 
 /// Computes impacts that last. From one impact to the next it keeps nothing but allocated memory.
 ///
-/// Method: leapfrog, in steps of 1/128 of the shortest contact at the given speed, but at most
-/// 16,384 steps for the longest. A last step corrects the energy: one factor scales all impulses so
-/// that the bodies lose exactly what unloading has lost. So energy never grows, and is conserved to
-/// rounding where every restitution is 1. A bound on the number of steps, which long chains do not
-/// reach, may end an impact early; that conserves energy too, but may leave some approach.
+/// Method: leapfrog, in steps of 1/128 of the shortest contact at the fastest approach, but at most
+/// 16,384 steps for the longest. Where these leave the shortest contact fewer than 32 steps, in
+/// which the method would be unstable (mass ratios of millions), nothing presses, and the impact is
+/// left to those that take no time. A last step corrects the energy: one factor scales all impulses
+/// so that the bodies lose exactly what unloading has lost. So energy never grows, and is conserved
+/// to rounding where every restitution is 1. A bound on the number of steps, which long chains do
+/// not reach, may end an impact early; that conserves energy too, but may leave some approach.
 template <typename Real>
 class HertzImpact {
   public:
     /// The contacts that press, in the order in which they first touch. Changes no body: the caller
-    /// applies the impulses. `speed` > 0: the approach with which it begins, for the steps. The
-    /// result is valid until the next call.
+    /// applies the impulses. `speed` > 0: the approach with which it begins. The result is valid
+    /// until the next call.
     const std::vector<HertzTouch<Real>>& press(std::span<const ImpactBody<Real>> bodies,
                                                std::span<const HertzContact<Real>> contacts,
                                                const Real& speed);

@@ -1,6 +1,7 @@
 #include "physics/broad_phase/cell_frame.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <doctest/doctest.h>
 
@@ -76,5 +77,14 @@ TEST_CASE("paths that come close share a cell, and each pair is found once") {
         CHECK(std::ranges::adjacent_find(sharing) == sharing.end());
         for (std::uint32_t j = 0; j < 200; ++j)
             if (overlaps(boxes[i], boxes[j])) CHECK(std::ranges::binary_search(sharing, j));
+    }
+}
+
+// It counted a million columns and rows, and their product was too large for the index of a cell.
+TEST_CASE("a frame around points that are nowhere has one cell") {
+    for (const double nowhere :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        const std::vector<Vec2> points(9, Vec2{nowhere, 0.0});
+        CHECK(frame_around(points, 1.0).count() == 1);
     }
 }

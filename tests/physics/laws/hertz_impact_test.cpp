@@ -200,3 +200,33 @@ TEST_CASE("Hertz impact: with more digits it is the same impact") {
         CHECK(static_cast<double>(bodies[i].velocity.x) ==
               doctest::Approx(plain[i]).epsilon(1e-11).scale(1.0));
 }
+
+// A ball of 1e-6 hardly approaches the ball that it touches; another one comes at it much faster.
+// The steps were those of the slow contact, and the velocities grew without bound.
+TEST_CASE("Hertz impact: a contact that joins may be much faster than the first") {
+    const std::vector<Body> bodies{{{0.0, 0.0}, 6e4}, {{6e-11, 0.0}, 0.15}, {{-0.04, 0.0}, 0.15}};
+    const std::vector<Contact> contacts{between(0, 1, {1.0, 0.0}, 0.9, 0.0, 9e9),
+                                        between(2, 0, {1.0, 0.0}, 0.2, 9e-7, 1.2e10)};
+    HertzImpact<double> impact;
+    std::vector<Body> pressed = bodies;
+    for (const auto& touch : impact.press(bodies, contacts, 6e-11))
+        push<double>(pressed, contacts[touch.contact].contact, touch.impulse);
+    CHECK(speed_of(pressed) < 100.0);
+    CHECK(energy_of(pressed) <= energy_of(bodies) * (1.0 + 1e-12));
+    CHECK(length(momentum_of(pressed) - momentum_of(bodies)) <= 1e-12);
+}
+
+TEST_CASE("Hertz impact: what no step resolves is left to impacts that take no time") {
+    for (const double light : {1.0, 1e-6, 1e-9, 1e-15}) {
+        CAPTURE(light);
+        const std::vector<Body> bodies{{{1.0, 0.0}, 1.0}, {{}, 1.0 / light}, {{}, 1.0}};
+        const std::vector<Contact> contacts{between(1, 0, {1.0, 0.0}, 1.0),
+                                            between(2, 1, {1.0, 0.0}, 1.0),
+                                            between(2, 0, {1.0, 0.0}, 1.0, 1e-6)};
+        HertzImpact<double> impact;
+        const auto touches = impact.press(bodies, contacts, 1.0);
+        CHECK(touches.empty() == (light < 1e-7));
+        for (const auto& touch : touches)
+            CHECK(touch.impulse < 10.0);
+    }
+}
