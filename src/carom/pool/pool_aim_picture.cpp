@@ -9,6 +9,7 @@
 #include "game/commands/aiming.h"
 #include "game/referees/referee.h"
 #include "geometry/elementary.h"
+#include "geometry/impact.h"
 
 /// Draws the aim.
 namespace carom {
@@ -30,6 +31,18 @@ std::string cut_text(const AimLine& line, const Look& look) {
     const bool is_left = cross(line.to - line.from, line.object_way) > 0.0;
     return fmt::format("cut {:.1f}{} {}", degrees, look.utf8 ? "°" : " deg",
                        is_left ? "left" : "right");
+}
+
+// The end of the straight path of a ball: at the first edge, or where it falls into a pocket.
+Vec2 end_of_way(const World& world, const Disc& ball, Vec2 way, double most) {
+    double reach = most;
+    for (const Capsule& edge : world.capsules().shape)
+        if (const auto impact = first_impact(ball, way, edge, reach)) reach = impact->time;
+    for (const Zone& zone : world.zones())
+        if (zone.effect == Zone::Effect::sink)
+            if (const auto fall = first_impact(Disc{ball.center, 0.0}, way, zone.shape, reach))
+                reach = fall->time;
+    return ball.center + way * reach;
 }
 
 }  // namespace
@@ -111,18 +124,22 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     }
     if (shown_aids() == Aids::none) return annotations;
     if (const auto line = aim_line(world, cue, strike.velocity)) {
-        annotations.aim = PoolAnnotations::Line{line->from, line->to};
+        const auto on_table = [&](Vec2 from, Vec2 way, double most) {
+            return PoolAnnotations::Line{from, end_of_way(world, {from, radius}, way, most)};
+        };
+        const Vec2 way = strike.velocity / length(strike.velocity);
+        annotations.aim = line->object ? PoolAnnotations::Line{line->from, line->to}
+                                       : on_table(line->from, way, length(line->to - line->from));
         if (line->object && !is_break(session)) {
             // A fuller hit gives the object ball more of the speed.
             const double reach = 14.0 * radius;
             const Vec2 object = world.balls().position[*index_of(world, *line->object)];
             annotations.ghost = Disc{line->to, radius};
             if (!is_match_ && setup_.aids == Aids::ghost) {
-                annotations.object = PoolAnnotations::Line{
-                    object, object + line->object_way * (reach * line->cut_cosine)};
+                annotations.object = on_table(object, line->object_way, reach * line->cut_cosine);
                 const double rest = 1.0 - line->cut_cosine * line->cut_cosine;
-                annotations.tangent = PoolAnnotations::Line{
-                    line->to, line->to + line->tangent * (reach * std::sqrt(std::max(0.0, rest)))};
+                annotations.tangent =
+                    on_table(line->to, line->tangent, reach * std::sqrt(std::max(0.0, rest)));
             }
         }
     }

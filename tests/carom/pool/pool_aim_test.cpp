@@ -60,3 +60,28 @@ TEST_CASE("in a match the balls in sight come before those that lie hidden, whic
     CHECK(seen >= 1);
     CHECK(seen < 15);
 }
+
+TEST_CASE("aiming lines end at the cushions and in the pockets, not beyond the table") {
+    for (const char* const level :
+         {"puzzle-02", "puzzle-05", "puzzle-14", "puzzle-17", "eight-ball"}) {
+        CAPTURE(level);
+        const Session session = session_at(test::shipped_level(level));
+        PoolAim aim(session);
+        const std::vector<Capsule>& edges = session.world().capsules().shape;
+        std::optional<Box> table;
+        for (const Capsule& edge : edges)
+            table = table ? join(*table, bounds(edge)) : bounds(edge);
+        for (int turn = 0; turn < 40; ++turn) {
+            aim.turn(9.0);
+            aim.look(session);
+            const PoolAnnotations shown = aim.annotations(session, true);
+            for (const auto& line : {shown.aim, shown.object, shown.tangent}) {
+                if (!line) continue;
+                CHECK(table->low.x < line->to.x);
+                CHECK(line->to.x < table->high.x);
+                CHECK(table->low.y < line->to.y);
+                CHECK(line->to.y < table->high.y);
+            }
+        }
+    }
+}
