@@ -157,7 +157,11 @@ void Menu::look_at_selected() {
         return;
     }
     Scene& scene = *loaded.result.scene;
-    known.goal = words_of(scene.comment).goal;
+    LevelWords words = words_of(scene.comment);
+    known.goal = std::move(words.goal);
+    known.about.clear();
+    for (LevelWords::Item& about : words.items)
+        known.about.push_back({std::move(about.left), std::move(about.text)});
     if (known.goal.empty() && !scene.rules.goals.empty())
         known.goal = scene.rules.goals.front().text;
     if (item.interrupted && !known.is_broken)
@@ -224,6 +228,7 @@ MenuPage Menu::page() const {
     if (known == loaded_.end()) return page;
     if (page.goal.empty()) page.goal = known->second.goal;
     page.notes = known->second.notes;
+    page.about = known->second.about;
     return page;
 }
 
@@ -232,7 +237,9 @@ void Menu::draw(Canvas& canvas, double aspect, const ViewOptions& view) {
     columns_ = canvas.columns();
     rows_ = canvas.rows();
     if (is_too_small(columns_, rows_)) return draw_too_small(canvas);
-    const MenuPage now = page();
+    if (picture_) picture_size_ = picture_->preview_size();
+    MenuPage now = page();
+    if (picture_size_.x > 0.0) now.picture_shape = picture_size_.y / picture_size_.x / aspect;
     draw_menu(canvas, now, view.look);
     if (now.entries.empty()) {
         const std::array lines = search_.empty() ? empty_group : nothing_matches;

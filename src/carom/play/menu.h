@@ -71,6 +71,7 @@ class Menu {
     struct LoadedEntry {
         std::string goal;
         std::vector<std::string> notes;
+        std::vector<PageItem> about;
         bool is_broken = false;
     };
     void select(std::size_t index);
@@ -97,6 +98,8 @@ class Menu {
     double seconds_on_selected_ = 0.0;
     std::string pictured_;  ///< the item in the picture, as in `loaded_`; empty: none yet
     std::optional<Player> picture_;
+    /// The size of the last picture, so that words below it stay while the next one is loaded.
+    Vec2 picture_size_;
 
     int columns_ = 0;
     int rows_ = 0;

@@ -33,6 +33,8 @@ class Player {
     void draw(Canvas& canvas, double aspect);
     /// Draws the scene as a whole into `area`, without status, aim and panels, for the menu.
     void draw_preview(Canvas& canvas, const CellArea& area, double aspect);
+    /// The size of what draw_preview shows, in the level's lengths.
+    Vec2 preview_size();
     /// Whether a visible state has changed since the last draw() or draw_preview().
     bool needs_draw() const { return play_.needs_draw; }
     /// The time for which nothing changes on its own, s: 0 while ticks run; infinite while paused.

@@ -125,6 +125,11 @@ void Player::draw(Canvas& canvas, double aspect) {
 }
 
 // An aim is not drawn before Controller::look() is called.
+Vec2 Player::preview_size() {
+    const Scene& scene = session().scene();
+    return size(shown_box(scene, play_.view.memory.ground.board(scene)));
+}
+
 void Player::draw_preview(Canvas& canvas, const CellArea& area, double aspect) {
     play_.needs_draw = false;
     play_.view.shows_whole = true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "terminal/canvas/character_width.h"
 #include "terminal/panels/panel.h"
@@ -22,7 +23,8 @@ struct Areas {
     CellArea picture;
 };
 
-Areas areas_of(int columns, int rows) {
+// `shape`: that of the picture. What it leaves free below goes to the words.
+Areas areas_of(int columns, int rows, double shape) {
     const int body = std::max(0, rows - first_list_row - 1);
     if (columns < least_beside) {
         const int words = body >= 12 ? words_rows - 1 : 0;
@@ -36,6 +38,10 @@ Areas areas_of(int columns, int rows) {
     const int words = std::min(words_rows, body);
     CellArea picture{left, first_list_row, right, body - words - 1};
     if (picture.rows < least_picture) picture = {};
+    if (shape > 0.0) {
+        const double needed = std::max(right * shape, least_picture * 1.0);
+        picture.rows = static_cast<int>(std::ceil(std::min<double>(picture.rows, needed)));
+    }
     const int below = picture.rows > 0 ? first_list_row + picture.rows + 1 : first_list_row;
     return {{0, first_list_row, list, body},
             {left, below, right, first_list_row + body - below},
@@ -171,6 +177,11 @@ void draw_words(Canvas& canvas, const MenuPage& page, const CellArea& area, cons
     if (!page.goal.empty()) add("Goal: " + page.goal, Role::warning);
     for (const std::string& note : page.notes)
         add(note, Role::text);
+    ++row;
+    constexpr int widest = 76;  // a line that the eye can follow
+    draw_items(canvas,
+               {area.column, area.row + row, std::min(widest, area.columns), area.rows - row},
+               page.about, look);
 }
 
 }  // namespace
@@ -182,14 +193,14 @@ void draw_menu(Canvas& canvas, const MenuPage& page, const Look& look) {
     const bool has_message = !page.message.empty();
     write(canvas, 1, canvas.rows() - 1, has_message ? page.message : page.footer,
           ink_of(has_message ? Role::warning : Role::faint, look));
-    const Areas areas = areas_of(canvas.columns(), canvas.rows());
+    const Areas areas = areas_of(canvas.columns(), canvas.rows(), page.picture_shape);
     draw_list(canvas, page, areas.list, look);
     draw_words(canvas, page, areas.words, look);
 }
 
 std::optional<std::size_t> menu_entry_at(int columns, int rows, const MenuPage& page, int column,
                                          int row) {
-    const CellArea list = areas_of(columns, rows).list;
+    const CellArea list = areas_of(columns, rows, page.picture_shape).list;
     const bool is_in_list = column >= list.column && column < list.column + list.columns &&
                             row >= list.row && row < list.row + list.rows;
     if (!is_in_list) return std::nullopt;
@@ -206,7 +217,8 @@ std::optional<std::size_t> menu_group_at(int columns, const MenuPage& page, int 
 }
 
 CellArea menu_picture_area(int columns, int rows, const MenuPage& page) {
-    return page.selected < page.entries.size() ? areas_of(columns, rows).picture : CellArea{};
+    return page.selected < page.entries.size() ? areas_of(columns, rows, page.picture_shape).picture
+                                               : CellArea{};
 }
 
 }  // namespace carom

@@ -10,6 +10,7 @@
 #include "terminal/canvas/camera.h"
 #include "terminal/canvas/canvas.h"
 #include "terminal/canvas/palette.h"
+#include "terminal/panels/pages.h"
 
 /// The start screen: groups of levels as tabs, the list of one group, and beside it a picture and a
 /// few words about the selected level. It is a whole at 80x24.
@@ -32,6 +33,9 @@ struct MenuPage {
     // About the selected entry:
     std::string goal;
     std::vector<std::string> notes;  ///< best scores, problems
+    std::vector<PageItem> about;     ///< shown as far as there is room
+    /// The height of the level's picture over its width, in cells; 0: not known yet.
+    double picture_shape = 0.0;
     std::string footer;
     std::string message;  ///< stands in place of the footer, marked; empty: none
 };

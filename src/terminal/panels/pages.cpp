@@ -79,6 +79,30 @@ void draw_line(Canvas& canvas, int column, int row, const Line& line, const Look
                  line.ink.attributes);
 }
 
+// Paragraphs and entries of a list, no wider than `columns`.
+std::vector<Line> lines_of(std::span<const PageItem> items, int columns, const Look& look) {
+    int keys = 0;
+    for (const PageItem& item : items)
+        keys = std::max(keys, columns_of(item.left));
+    const Ink ink = ink_of(Role::text, look);
+    std::vector<Line> lines;
+    for (const PageItem& item : items) {
+        const int indent = item.left.empty() ? 0 : std::min(keys + 2, columns / 2);
+        std::string left = item.left;
+        if (columns_of(left) >= indent && !left.empty()) {
+            lines.push_back({std::move(left), indent, "", {}});
+            left.clear();
+        }
+        if (item.text.empty()) lines.push_back({});
+        for (std::string& part : wrapped(item.text, columns - indent)) {
+            if (item.text.empty()) break;
+            lines.push_back({std::move(left), indent, std::move(part), ink});
+            left.clear();
+        }
+    }
+    return lines;
+}
+
 using HelpColumns = std::vector<std::vector<Line>>;
 
 // Whole sections in `count` columns of at most `height` rows; a section that does not fit goes on
@@ -181,31 +205,15 @@ PageExtent draw_about(Canvas& canvas, std::string_view title, std::string_view g
     canvas.fill({});
     constexpr int widest = 76;  // a line that the eye can follow
     const int columns = std::min(widest, canvas.columns() - 2);
-    int keys = 0;
-    for (const PageItem& item : items)
-        keys = std::max(keys, columns_of(item.left));
     std::vector<Line> lines;
-    const auto add = [&](std::string left, int indent, std::string_view text, Role role) {
-        if (columns_of(left) >= indent && !left.empty()) {
-            lines.push_back({std::move(left), indent, "", {}});
-            left.clear();
-        }
-        for (std::string& part : wrapped(text, columns - indent)) {
-            lines.push_back({std::move(left), indent, std::move(part), ink_of(role, look)});
-            left.clear();
-        }
-    };
     if (!goal.empty()) {
-        add("Goal", 6, goal, Role::warning);
+        const PageItem first{"Goal", std::string(goal)};
+        lines = lines_of(std::span(&first, 1), columns, look);
+        for (Line& line : lines)
+            line.ink = ink_of(Role::warning, look);
         lines.push_back({});
     }
-    for (const PageItem& item : items) {
-        if (item.text.empty())
-            lines.push_back({});
-        else
-            add(item.left, item.left.empty() ? 0 : std::min(keys + 2, columns / 2), item.text,
-                Role::text);
-    }
+    std::ranges::move(lines_of(items, columns, look), std::back_inserter(lines));
     const Ink strong = ink_of(Role::strong, look);
     canvas.write(1, 0, title, strong.color, default_color, strong.attributes);
     constexpr int first_row = 2;
@@ -217,6 +225,17 @@ PageExtent draw_about(Canvas& canvas, std::string_view title, std::string_view g
     }
     draw_footer(canvas, footer, extent, look);
     return extent;
+}
+
+void draw_items(Canvas& canvas, const CellArea& area, std::span<const PageItem> items,
+                const Look& look) {
+    for (std::size_t count = items.size(); count > 0; --count) {
+        const std::vector<Line> lines = lines_of(items.first(count), area.columns, look);
+        if (static_cast<int>(lines.size()) > area.rows) continue;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            draw_line(canvas, area.column, area.row + static_cast<int>(i), lines[i], look);
+        return;
+    }
 }
 
 PageExtent draw_text_page(Canvas& canvas, std::string_view title,

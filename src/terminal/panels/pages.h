@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "terminal/canvas/camera.h"
 #include "terminal/canvas/canvas.h"
 #include "terminal/canvas/palette.h"
 #include "terminal/panels/hud.h"
@@ -51,5 +52,10 @@ struct PageItem {
 PageExtent draw_about(Canvas& canvas, std::string_view title, std::string_view goal,
                       std::span<const PageItem> items, int scroll, std::string_view footer,
                       const Look& look);
+
+/// Draws as many of the first paragraphs and entries as the area has room for, none of them in
+/// part.
+void draw_items(Canvas& canvas, const CellArea& area, std::span<const PageItem> items,
+                const Look& look);
 
 }  // namespace carom

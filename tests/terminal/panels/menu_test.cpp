@@ -148,6 +148,33 @@ TEST_CASE("found 11: at 80x24 there is room for a picture of the level") {
     CHECK(menu_picture_area(120, 40, page(99)) == CellArea{});
 }
 
+TEST_CASE("in a large window words stand right below the picture, and say more about the level") {
+    MenuPage wide = page();
+    wide.picture_shape = 0.27;  // of a pool table
+    wide.about = {{"", "Balls meet balls here."}, {"", ""}, {"t", "trails"}};
+    for (const auto& [columns, rows] : {std::pair{80, 24}, {120, 40}, {200, 60}}) {
+        CAPTURE(columns);
+        const CellArea area = menu_picture_area(columns, rows, wide);
+        CHECK(area.rows >= 0.27 * area.columns);
+        CHECK(area.rows < 0.27 * area.columns + 1.0);
+        Canvas canvas(columns, rows);
+        draw_menu(canvas, wide, {0, false, false});
+        const auto begins = [&](int row, std::string_view text) {
+            const std::string all = canvas.text();
+            std::size_t start = 0;
+            for (int i = 0; i < row; ++i)
+                start = all.find('\n', start) + 1;
+            return all.substr(start + static_cast<std::size_t>(area.column), text.size()) == text;
+        };
+        const int below = area.row + area.rows + 1;
+        CHECK(begins(below, "300 balls make a bell"));
+        CHECK(begins(below + 4, "Balls meet balls here."));
+        CHECK(begins(below + 6, "t  trails"));
+    }
+    wide.picture_shape = 2.0;  // of a pinball table
+    CHECK(menu_picture_area(120, 40, wide) == menu_picture_area(120, 40, page()));
+}
+
 TEST_CASE("an empty menu, and a window without cells, can be drawn") {
     for (const auto& [columns, rows] : {std::pair{0, 0}, {1, 1}, {3, 2}, {80, 3}, {40, 10}}) {
         Canvas canvas(columns, rows);
