@@ -29,9 +29,7 @@ Camera PoolController::fit(const PlayContext& play, const CellArea& area, double
 }
 
 void PoolController::cut_panel(const PlayContext& play, CellArea& area) {
-    const Vec2 extent = size(play.view.shown);
-    constexpr double aspect = 2.0;  // of most terminals: this only decides where the panel is
-    panel_ = extent.y > 0.0 ? cut_pool_panel(area, extent.x / extent.y, aspect) : CellArea{};
+    panel_ = cut_scoreboard(area, play.view.shown);
 }
 
 void PoolController::draw_panel(const PlayContext& play, Canvas& canvas) const {

@@ -3,11 +3,17 @@
 #include <utility>
 
 #include "carom/context/view_control.h"
+#include "carom/pool/pool_aim.h"
+#include "carom/pool/pool_scoreboard.h"
 
 namespace carom {
 namespace {
 
 const PlayerNames players = {"player 1", "player 2"};
+
+bool is_pool(const PlayContext& play) {
+    return PoolAim::is_at(play.session.scene());
+}
 
 }  // namespace
 
@@ -37,6 +43,7 @@ void WatchController::after_ticks(PlayContext& play, double seconds) {
 
 void WatchController::cut_panel(const PlayContext& play, CellArea& area) {
     if (pinball_) pinball_->cut_panel(play, area);
+    if (is_pool(play)) pool_panel_ = cut_scoreboard(area, play.view.shown);
 }
 
 Camera WatchController::fit(const PlayContext& play, const CellArea& area, double aspect) {
@@ -50,10 +57,19 @@ void WatchController::look(PlayContext& play) {
 
 void WatchController::annotate(const PlayContext& play, Annotations& annotations) const {
     if (pinball_) pinball_->annotate(play, annotations);
+    if (is_pool(play)) {
+        annotations.pool.emplace();
+        annotations.pool->numbers = numbers_of(play.session);
+        annotations.pool->returned = returned_of(play.session);
+    }
 }
 
 void WatchController::draw_panel(const PlayContext& play, Canvas& canvas) const {
     if (pinball_) pinball_->draw_panel(play, canvas, false);
+    const ViewOptions& options = play.view.options;
+    if (is_pool(play))
+        draw_pool_panel(canvas, pool_panel_, scoreboard_of(play.session, players),
+                        renderer_in_force(options), play.view.camera.aspect, options.look);
 }
 
 void WatchController::add_status(const PlayContext& play, HudInfo& info) const {

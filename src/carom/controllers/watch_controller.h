@@ -30,6 +30,7 @@ class WatchController : public Controller {
   private:
     ShotAnnouncer announcer_;
     std::optional<PinballFeedback> pinball_;  ///< none: not a pinball table
+    CellArea pool_panel_;                     ///< empty away from pool tables
 };
 
 }  // namespace carom

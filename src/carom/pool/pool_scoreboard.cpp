@@ -66,4 +66,10 @@ PoolPanel scoreboard_of(const Session& session, const PlayerNames& names) {
     return panel;
 }
 
+CellArea cut_scoreboard(CellArea& area, const Box& shown) {
+    constexpr double aspect = 2.0;  // of most terminals: this only decides where the panel is
+    const Vec2 extent = size(shown);
+    return extent.y > 0.0 ? cut_pool_panel(area, extent.x / extent.y, aspect) : CellArea{};
+}
+
 }  // namespace carom

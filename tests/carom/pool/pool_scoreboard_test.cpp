@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include "carom/play/player.h"
 #include "game/support/shipped.h"
 #include "game/support/shots_game.h"
+#include "physics/world/fingerprint.h"
 
 using namespace carom;
 
@@ -26,4 +28,22 @@ TEST_CASE("at three-cushion the scoreboard has each player's cue ball, points an
     CHECK((*panel.players)[1].group == "yellow, inning 1");
     CHECK((*panel.players)[0].frames == 0);
     CHECK(!(*panel.players)[1].is_turn);
+}
+
+TEST_CASE("a recording of pool is watched with numbered balls and the score, as it was played") {
+    Scene scene = test::shipped_level("eight-ball");
+    const SolverSettings solver = pick_solver(scene.world).settings;
+    Session session(std::move(scene), solver);
+    session.follow({}, 600, fingerprint_version);
+    ViewOptions view;
+    view.renderer = &half_block_renderer();
+    view.look = {256, true, false};
+    Player player(std::move(session), view, KeyMap());
+    REQUIRE(player.is_watching());
+    Canvas window(200, 60);
+    player.draw(window, 2.0);
+    const std::string text = window.text();
+    CHECK(text.find("0 : 0") != std::string::npos);
+    for (const char* const number : {"15", "11", "4", "9"})
+        CHECK(text.find(number) != std::string::npos);
 }
