@@ -64,6 +64,17 @@ LoadedLevel load(const LevelSource& source) {
     return load_level_file(source.path, std::move(options));
 }
 
+LoadedLevel load(const Replay& replay, std::size_t rewind_bytes) {
+    LoadedLevel loaded = load(source_of(replay, rewind_bytes));
+    if (loaded.error.empty()) return loaded;
+    auto recorded = scene_of(replay);
+    if (auto* const scene = std::get_if<Scene>(&recorded)) {
+        loaded.error.clear();
+        loaded.result.scene = std::move(*scene);
+    }
+    return loaded;
+}
+
 std::variant<OpenedGame, Problems> open_game(const LevelSource& source) {
     LoadedLevel loaded = load(source);
     if (!loaded.result.scene) return problems_of(loaded);
@@ -81,7 +92,7 @@ std::variant<OpenedGame, Problems> open_game(const LevelSource& source) {
 }
 
 std::variant<Replayer, Problems> reopen_game(const Replay& replay, std::size_t rewind_bytes) {
-    LoadedLevel loaded = load(source_of(replay, rewind_bytes));
+    LoadedLevel loaded = load(replay, rewind_bytes);
     if (!loaded.result.scene) return problems_of(loaded);
     if (loaded.result.scene->text_hash != replay.level_hash)
         return Problems{"The level has changed since the game was interrupted:", replay.level,

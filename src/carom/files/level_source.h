@@ -30,6 +30,8 @@ LevelSource source_of(const PlayOptions& options, const std::string& argument);
 LevelSource source_of(const Replay& replay, std::size_t rewind_bytes);
 
 LoadedLevel load(const LevelSource& source);
+/// The level of an unfinished game. If its file is gone, the one in the recording.
+LoadedLevel load(const Replay& replay, std::size_t rewind_bytes);
 
 /// The reasons why a level cannot be played, line by line.
 using Problems = std::vector<std::string>;

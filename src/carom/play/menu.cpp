@@ -62,7 +62,7 @@ std::string key_of(const MenuItem& item) {
 // Why an unfinished game cannot be resumed; empty if nothing is known to be in the way.
 std::vector<std::string> obstacle_of(const InterruptedGame& game, const LoadedLevel& loaded) {
     if (!loaded.error.empty())
-        return {"Its level is gone, so it cannot be resumed:", game.replay.level};
+        return {"Its level cannot be read, so it cannot be resumed:", game.replay.level};
     if (!loaded.result.scene) return {"Its level has errors now. Press enter to see them."};
     if (loaded.result.scene->text_hash != game.replay.level_hash)
         return {"Its level has changed since, so it cannot be resumed."};

@@ -13,6 +13,7 @@
 #include "carom/files/user_folders.h"
 #include "carom/pool/pool_status.h"
 #include "carom/text/level_words.h"
+#include "game/pool/pool.h"
 
 namespace carom {
 namespace {
@@ -131,8 +132,7 @@ void Program::show_menu(std::string_view choose) {
     const auto folder = resume_folder();
     const auto interrupted = folder ? interrupted_games(*folder) : std::vector<InterruptedGame>{};
     const auto load_for_picture = [this](const MenuItem& item) {
-        if (item.interrupted)
-            return load(source_of(item.interrupted->replay, options_.rewind_bytes));
+        if (item.interrupted) return load(item.interrupted->replay, options_.rewind_bytes);
         return load(item.challenge ? source_of(options_, *item.challenge)
                                    : carom::source_of(options_, item.path));
     };
@@ -254,8 +254,11 @@ void Program::finish_resuming() {
         players->set_opponent(player.session(), replay.opponent);
         if (replay.time_left) players->set_time_left(player.session(), *replay.time_left);
     }
-    player.pause(true);
-    player.say("Resumed. Press " + preferences_.keys.hint("pause") + " to continue.");
+    // Where a shot is being aimed, nothing moves before the stroke, which a pause would only stop.
+    const bool aims = replay.setup && !replay.time_left && is_at_rest(player.session().world());
+    player.pause(!aims);
+    player.say(aims ? "Resumed."
+                    : "Resumed. Press " + preferences_.keys.hint("pause") + " to continue.");
     enter(std::move(source), std::move(player), std::nullopt);
     RunningGame& game = std::get<RunningGame>(page_);
     // The old file stays until the game is saved under its new name.

@@ -148,7 +148,7 @@ TEST_CASE("an interrupted game is resumed at the point of interruption") {
         REQUIRE_FALSE(after.program.start());
         CHECK_FALSE(after.sees("Unfinished"));
     }
-    SUBCASE("and the menu says when its level has gone, or has changed") {
+    SUBCASE("and the menu says when its level has changed") {
         const auto menu_sees = [](const std::string& text) {
             Running running({});
             CHECK_FALSE(running.program.start());
@@ -160,8 +160,19 @@ TEST_CASE("an interrupted game is resumed at the point of interruption") {
         CHECK(menu_sees("Its level has changed since"));
         home.write("test.level", "carom 1 \"Bad\"\nball at=0,0 r=-1\n");
         CHECK(menu_sees("Its level has errors now"));
+    }
+    SUBCASE("from its recording, when the file of its level is gone") {
         fs::remove("test.level");
-        CHECK(menu_sees("Its level is gone"));
+        Running running({});
+        REQUIRE_FALSE(running.program.start());
+        running.pass(0.2);
+        CHECK(running.sees("Enter resumes it at 0:01."));
+        running.key(key::enter);
+        running.pass(0.1);
+        CHECK(running.sees("tick 120"));
+        CHECK(running.sees("gravity"));
+        running.key(U'r');
+        CHECK(running.sees("tick 0"));
     }
     SUBCASE("but not on a level that has changed") {
         home.write("test.level", std::string(level) + "ball at=30,20\n");
@@ -171,6 +182,29 @@ TEST_CASE("an interrupted game is resumed at the point of interruption") {
         REQUIRE_FALSE(running.program.start());
         CHECK(running.sees("has changed"));
     }
+}
+
+TEST_CASE("a game of pool that was left while aiming is resumed ready to shoot, not paused") {
+    const Home home;
+    {
+        Running running(playing("eight-ball"));
+        REQUIRE_FALSE(running.program.start());
+        running.look();
+        running.key(key::enter);
+        for (int i = 0; i < 1200; ++i)
+            running.pass(1.0 / 60.0);
+        REQUIRE_FALSE(running.sees("the balls roll"));
+        REQUIRE_FALSE(running.sees("breaks"));
+        running.key(U'q');
+    }
+    Running running({});
+    REQUIRE_FALSE(running.program.start());
+    running.key(key::enter);
+    for (int i = 0; i < 20 && !running.sees("Resumed."); ++i)
+        running.pass(0.1);
+    REQUIRE(running.sees("Resumed."));
+    CHECK_FALSE(running.sees("breaks"));
+    CHECK_FALSE(running.sees("paused"));
 }
 
 TEST_CASE("a game is saved every few seconds, so that even a kill loses little") {
