@@ -38,7 +38,9 @@ CurvePicture picture_of(Observable what, const Observer& observer, const World& 
     picture.title = row_of(what).title;
     const std::optional<double> value = observer.values(what, world).front().value;
     picture.has_bars = what == Observable::speeds;
-    picture.value = value ? fmt::format("{:.4g}", *value) : "no value";
+    picture.value = value                  ? fmt::format("{:.4g}", *value)
+                    : observer.has_begun() ? "no value yet"
+                                           : fmt::format("from {:g} s on", observer.from());
     for (const CurvePoint& point : observer.curve(what).points)
         picture.points.push_back({point.x, point.y, point.expected});
     return picture;

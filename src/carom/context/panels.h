@@ -25,10 +25,7 @@ class Panels {
     /// The speeds of the balls: the histogram of a level that counts nothing. True: it is shown.
     bool toggle_speeds();
     void toggle_energy() { shows_energy_ = !shows_energy_; }
-    /// Whether the counts stand under their bins, so that they need not stand above them.
-    bool shows_counts_below(const CellArea& world) const {
-        return histogram_area_.rows > 0 && histogram_area_.row >= world.row + world.rows;
-    }
+    /// Whether it is, so that the counts of its bins need not be written beside them.
     bool is_histogram_drawn() const { return histogram_area_.rows > 0; }
 
     /// Takes the room for the panels from `area`; nothing where `is_split`, or where the area is

@@ -188,7 +188,7 @@ void Player::draw_game(Canvas& canvas, double aspect) {
         world.tick(), sums,
         conserves_energy(world) ? play_.reference.energy_drift(sums) : std::nullopt);
     ViewOptions options = view();
-    options.counters = options.counters && !play_.panels.shows_counts_below(camera().area);
+    options.counters = options.counters && !play_.panels.is_histogram_drawn();
     draw_world(canvas, camera(), session().scene(), world, session().contacts(),
                annotations_of(play_), options, play_.view.memory);
     const bool is_split = play_.companion.comparison().has_value();

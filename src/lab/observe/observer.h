@@ -32,6 +32,7 @@ class Observer {
 
     ObservableSet what() const { return what_; }
     bool has_begun() const { return has_begun_; }
+    double from() const { return from_; }  ///< s: the time of the beginning
 
     /// The numbers of an observable, the first being that of its panel. They have no value before
     /// the beginning, or where they are not defined (see the meters). Pre: it is in the set.

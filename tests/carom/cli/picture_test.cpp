@@ -136,6 +136,31 @@ TEST_CASE("the first picture of a game by a level's own rules is of its first tu
     CHECK(has(drawn.out, "PAR 3"));
 }
 
+TEST_CASE("a panel says when it begins, and counts stand in the histogram or over the bins") {
+    const auto shown = [](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "picture");
+        arguments.insert(arguments.end(), {"--format=text", "--time=1"});
+        return run_carom(arguments).out;
+    };
+    CHECK(has(shown({"two-posts"}), "Lyapunov exponent  from 2 s on"));
+    // A ball falls into the left one of two bins.
+    const TemporaryFolder folder;
+    const std::string bins =
+        "carom 1 \"Bins\"\nuse gravity 0,-10\nworld 0,-3 20,9\n"
+        "bins at=10,2 count=2 width=10 depth=4 wall=0.1\nball a at=5,1 r=0.5\n";
+    const std::string plain = folder.file("bins.level", bins);
+    const std::string with_panel =
+        folder.file("panel.level", bins + "show histogram of=bins against=binomial(1,0.5)\n");
+    const auto counted = [](const std::string& text) {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);)
+            if (line.ends_with(" 1") && line.find_first_not_of(' ') == line.size() - 1) return true;
+        return false;
+    };
+    CHECK(counted(shown({plain})));
+    CHECK_FALSE(counted(shown({with_panel})));
+}
+
 TEST_CASE("carom picture says what is wrong, and leaves no file behind") {
     const TemporaryFolder folder;
     const std::string level = folder.file("bad.level", "carom 1 \"Bad\"\nbal a\n");
