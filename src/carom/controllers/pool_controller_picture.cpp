@@ -115,12 +115,12 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     if (pool && is_new && !in_match) hint("opponent", "opponent");
     if (aim_.may_choose(play.session)) hint("next-ball", "next of your balls");
     hints.push_back({"arrows", "aim, power"});
+    const bool has_pockets = !play.session.scene().pool.pockets.empty();
+    hint("next-pot", in_match || !has_pockets ? "next ball" : "next pot");
     if (!play.terminal.mouse_is_off)
         hints.push_back({"pull the cue", in_match ? "stroke" : "shoot"});
     hints.push_back({"shift-arrows", "tip"});
     if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
-    const bool has_pockets = !play.session.scene().pool.pockets.empty();
-    hint("next-pot", in_match || !has_pockets ? "next ball" : "next pot");
     if (shots && is_new) hint("opponent", in_match ? "practice" : "for real");
     if (in_match) return;
     hint("aids", "lines");

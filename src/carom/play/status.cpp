@@ -37,10 +37,10 @@ struct Hints {
     std::vector<KeyHelp> lines;
 
     /// A key that has a hint already does something else now.
-    void add(std::string_view action_name, std::string_view what) {
+    void add(std::string_view action_name, std::string_view what, bool stays = false) {
         const std::string key = keys.hint(action_name);
         const bool has_hint = std::ranges::count(lines, key, &KeyHelp::keys) > 0;
-        if (!key.empty() && !has_hint) lines.push_back({key, std::string(what)});
+        if (!key.empty() && !has_hint) lines.push_back({key, std::string(what), stays});
     }
 };
 
@@ -81,7 +81,7 @@ std::vector<KeyHelp> hints_of(const PlayContext& play) {
         hints.add("cue", "cue");
         hints.add("remove", "remove");
     }
-    hints.add("help", "keys");
+    hints.add("help", "keys", true);
     hints.add("about", "about");
     if (!has_empty_hand) return std::move(hints.lines);
     hints.add("menu", "menu");

@@ -49,13 +49,13 @@ Bar title_bar(Canvas& canvas, int row, const Look& look) {
 }
 
 // The parts of a game's line that fit, whole; of the first, as much as fits.
-std::string_view fitting_parts(std::string_view game, int columns) {
+std::string fitting_parts(std::string_view game, int columns, const Look& look) {
     while (columns_of(game) > columns) {
         const std::size_t last = game.rfind("  ");
-        if (last == game.npos || last == 0) return cut_to(game, columns);
+        if (last == game.npos || last == 0) return shortened(game, columns, look);
         game = game.substr(0, last);
     }
-    return game;
+    return std::string(game);
 }
 
 void draw_physics(const Bar& bar, const HudInfo& info) {
@@ -63,7 +63,7 @@ void draw_physics(const Bar& bar, const HudInfo& info) {
     const int columns = bar.canvas.columns() - 2;
     if (info.beside.empty() && (info.is_game || !info.game.empty())) {
         const bool has_line = !info.game.empty();
-        bar.write(1, fitting_parts(has_line ? info.game : info.goal, columns),
+        bar.write(1, fitting_parts(has_line ? info.game : info.goal, columns, bar.look),
                   ink_of(has_line ? Role::text : Role::warning, bar.look));
         return;
     }
@@ -91,7 +91,7 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<HudField> field
         room -= name;
     }
     if (room >= 4 && !info.title.empty()) {
-        const std::string_view title = cut_to(info.title, room);
+        const std::string title = shortened(info.title, room, bar.look);
         column = bar.write(column, title, ink_of(Role::strong, bar.look)) + hud_field_gap;
     }
     bar.write(column, fields);
@@ -102,14 +102,24 @@ void draw_hints(const Bar& bar, const HudInfo& info) {
     // A short window has no other line for this.
     const std::string& other = info.beside.empty() ? info.game : info.beside;
     if (hud_rows(bar.canvas.columns(), bar.canvas.rows()) == 2 && !other.empty()) {
-        bar.write(1, fitting_parts(other, bar.canvas.columns() - 2),
+        bar.write(1, fitting_parts(other, bar.canvas.columns() - 2, bar.look),
                   ink_of(Role::warning, bar.look));
         return;
     }
+    const auto width_of_hint = [](const KeyHelp& hint) {
+        return columns_of(hint.keys) + 1 + columns_of(hint.what);
+    };
+    int reserved = 0;
+    for (const KeyHelp& hint : info.hints)
+        if (hint.stays) reserved += width_of_hint(hint) + hud_field_gap;
     int column = 1;
+    bool is_full = false;
     for (const KeyHelp& hint : info.hints) {
-        const int width = columns_of(hint.keys) + 1 + columns_of(hint.what);
-        if (column + width > bar.canvas.columns() - 1) break;
+        const int width = width_of_hint(hint);
+        if (hint.stays) reserved -= width + hud_field_gap;
+        const int needed = hint.stays ? width : width + reserved;
+        is_full = is_full || column + needed > bar.canvas.columns() - 1;
+        if (is_full && (!hint.stays || column + width > bar.canvas.columns() - 1)) continue;
         column = bar.write(column, hint.keys, ink_of(Role::strong, bar.look)) + 1;
         column = bar.write(column, hint.what, ink_of(Role::faint, bar.look)) + hud_field_gap;
     }

@@ -16,8 +16,9 @@ namespace carom {
 
 /// A key and its action, for hints and for the help screen.
 struct KeyHelp {
-    std::string keys;  ///< "space", "<- ->"
-    std::string what;  ///< "pause"
+    std::string keys;    ///< "space", "<- ->"
+    std::string what;    ///< "pause"
+    bool stays = false;  ///< of a hint: other hints make room for it
 };
 
 /// A quantity with the value that the level expects, and its value now.

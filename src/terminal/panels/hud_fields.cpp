@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "terminal/canvas/character_width.h"
+#include "terminal/panels/panel.h"
 
 namespace carom {
 
@@ -102,12 +103,12 @@ std::vector<HudField> game_fields(const HudInfo& info, const Look& look) {
 }
 
 // Energy, momentum and what the level expects.
-std::vector<HudField> measured_fields(const HudInfo& info, const Look& look) {
+std::vector<HudField> measured_fields(const HudInfo& info, int columns, const Look& look) {
     const Ink text = ink_of(Role::text, look);
     std::vector<HudField> fields;
-    if (!info.beside.empty()) fields.push_back({"", info.beside, ink_of(Role::warning, look), -1});
-    if (info.beside.empty() && !info.goal.empty())
-        fields.push_back({"", info.goal, ink_of(Role::warning, look), -1});
+    const std::string& first = info.beside.empty() ? info.goal : info.beside;
+    if (!first.empty())
+        fields.push_back({"", shortened(first, columns, look), ink_of(Role::warning, look), -1});
     int rank = 1;
     bool has_collisions = false;
     for (const HudCheck& check : info.checks) {
@@ -172,7 +173,7 @@ std::vector<HudField> play_fields(const HudInfo& info, const Look& look) {
 
 std::vector<HudField> physics_fields(const HudInfo& info, int columns, const Look& look) {
     constexpr int least_model = 22;
-    std::vector<HudField> fields = measured_fields(info, look);
+    std::vector<HudField> fields = measured_fields(info, columns, look);
     fields.push_back(model_field(info, least_model, look));
     fields = fitting_fields(std::move(fields), columns);
     if (!fields.empty() && fields.back().label == "model") {

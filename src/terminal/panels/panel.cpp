@@ -37,6 +37,17 @@ std::string_view cut_to(std::string_view text, int columns) {
     return text.substr(0, end);
 }
 
+std::string shortened(std::string_view text, int columns, const Look& look) {
+    if (columns_of(text) <= columns) return std::string(text);
+    const std::string_view ellipsis = look.utf8 ? "\u2026" : "...";
+    const std::string_view whole = cut_to(text, columns - columns_of(ellipsis) + 1);
+    const std::size_t blank = whole.rfind(' ');
+    const std::size_t last =
+        blank == whole.npos ? whole.npos : whole.substr(0, blank).find_last_not_of(" ,:;");
+    if (last == whole.npos) return std::string(cut_to(text, columns));
+    return std::string(whole.substr(0, last + 1)) + std::string(ellipsis);
+}
+
 void write_cut(Canvas& canvas, const CellArea& area, int row, std::string_view text,
                const Ink& ink) {
     if (row < 0 || row >= area.rows) return;

@@ -21,6 +21,10 @@ struct PanelText {
 /// The first `columns` columns of UTF-8 text.
 std::string_view cut_to(std::string_view text, int columns);
 
+/// Text that is too long ends at a word, with an ellipsis, so that it does not read as a fault.
+/// Where not even a word fits, it is cut.
+std::string shortened(std::string_view text, int columns, const Look& look);
+
 /// Writes into row `row` of the area, cut at its right edge. A row outside the area is ignored.
 void write_cut(Canvas& canvas, const CellArea& area, int row, std::string_view text,
                const Ink& ink);

@@ -135,11 +135,11 @@ TEST_CASE("a long title gets half of the line before the least important numbers
 TEST_CASE("a title with the state of a game precedes all but the state of play") {
     HudInfo info = galton();
     info.title = "0:0 to 3, player 2, stripes, 6 left: ball in hand behind the line, 37 s";
-    const std::string half = "0:0 to 3, player 2, stripes, 6 ";
+    const std::string half = "0:0 to 3, player 2, stripes, 6";
     CHECK(drawn(info, 84, 24).find("37 s") == std::string::npos);
     info.title_comes_first = true;
     CHECK(drawn(info, 84, 24).find("the line, 37 s  > x1") != std::string::npos);
-    CHECK(drawn(info, 50, 24).find(half + "left: b  > x1") != std::string::npos);
+    CHECK(drawn(info, 50, 24).find(half + "...  > x1") != std::string::npos);
     CHECK(drawn(info, 120, 24).find("37 s  > x1         12.345 s  swept") != std::string::npos);
 }
 
@@ -319,4 +319,20 @@ TEST_CASE("the companion's text comes first, in a window of any height") {
     info.beside = "parted at t=1.250, ball 5";
     CHECK(drawn(info, 80, 24).find("\n parted at t=1.250, ball 5  KE 123.46") != std::string::npos);
     CHECK(drawn(info, 40, 12).find("\n parted at t=1.250, ball 5\n") != std::string::npos);
+}
+
+TEST_CASE("the key for help has its place among the hints, however many come before it") {
+    HudInfo info = galton();
+    info.hints = {{"enter", "shoot"},       {"O", "opponent"},
+                  {"arrows", "aim, power"}, {"pull the cue", "shoot"},
+                  {"shift-arrows", "tip"},  {"?", "keys", true},
+                  {"esc", "menu"}};
+    for (const int columns : {30, 40, 60, 80, 120}) {
+        CAPTURE(columns);
+        Canvas canvas(columns, 24);
+        draw_hud(canvas, info, {0, false, false});
+        CHECK(canvas.text().find("enter shoot") != std::string::npos);
+        CHECK(canvas.text().find("? keys") != std::string::npos);
+        CHECK((canvas.text().find("esc menu") != std::string::npos) == (columns == 120));
+    }
 }

@@ -40,3 +40,18 @@ TEST_CASE("texts flow, and are kept together where possible") {
     write_flowing(narrow, {2, 1, 4, 2}, texts);
     CHECK(narrow.text() == "\n  one\n  two\n\n");
 }
+
+TEST_CASE("text that is too long for its line ends at a word, with an ellipsis") {
+    Look look;
+    look.utf8 = true;
+    const std::string text = "player 1 breaks: ball in hand behind the head string";
+    CHECK(shortened(text, 60, look) == text);
+    CHECK(shortened(text, 38, look) == "player 1 breaks: ball in hand behind\u2026");
+    CHECK(shortened(text, 37, look) == "player 1 breaks: ball in hand behind\u2026");
+    CHECK(shortened(text, 36, look) == "player 1 breaks: ball in hand\u2026");
+    CHECK(shortened(text, 20, look) == "player 1 breaks\u2026");
+    CHECK(shortened(text, 4, look) == "play");
+    look.utf8 = false;
+    CHECK(shortened(text, 38, look) == "player 1 breaks: ball in hand...");
+    CHECK(shortened("", 0, look).empty());
+}
