@@ -138,7 +138,7 @@ double EnergyCheck::most_work_of_movers(const World& world,
 }
 
 std::optional<double> EnergyCheck::check(const World& world, std::span<const Contact> contacts,
-                                         bool are_same_balls, bool is_lifted) {
+                                         bool are_same_balls, bool are_parting) {
     const double energy = energy_of(world);
     scale_ = std::max(scale_, energy_in_play(world));
     // A ball may appear and be removed within the tick, and meet another one in between.
@@ -152,6 +152,7 @@ std::optional<double> EnergyCheck::check(const World& world, std::span<const Con
     if (!moved_.empty())
         baseline_ = is_known ? baseline_ + most_work_of_movers(world, contacts)
                              : std::max(baseline_, energy);
+    const bool is_lifted = are_parting && (promise_.lifts_overlaps || is_hybrid_step_);
     if (is_lifted || may_be_given_energy(world)) baseline_ = std::max(baseline_, energy);
     const double gain = energy - baseline_;
     double most = clustered_gain_ + *promise_.energy * scale_;

@@ -27,10 +27,10 @@ class EnergyCheck {
     void take_over(const World& world);
     /// From now on the world's energy is the most.
     void restart(const World& world);
-    /// The gain in the tick, if it is more than the promise. `is_lifted`: the solver may lift
-    /// bodies that overlap.
+    /// The gain in the tick, if it is more than the promise. `are_parting`: bodies that
+    /// started inside one another still are.
     std::optional<double> check(const World& world, std::span<const Contact> contacts,
-                                bool are_same_balls, bool is_lifted);
+                                bool are_same_balls, bool are_parting);
     /// The tick is over.
     void remember(const World& world);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "lab/run/fastest_within.h"
 #include "lab/run/time_check.h"
 #include "physics/event/motion/event_memory.h"
 
@@ -119,10 +120,10 @@ std::optional<Breach> InvariantCheck::note_tick(const World& world, bool stood_s
         remember(world);
         return std::nullopt;
     }
-    if (const auto gain = energy_.check(world, contacts, ids_ == world.balls().id,
-                                        promise_.lifts_overlaps && !exempt_.empty()))
+    if (const auto gain =
+            energy_.check(world, contacts, ids_ == world.balls().id, !exempt_.empty()))
         breach = Breach{.kind = Breach::Kind::energy, .tick = world.tick(), .amount = *gain};
-    if (!breach && promise_.keeps_sides) breach = check_sides(world);
+    if (!breach && promise_.keeps_sides) breach = check_sides(world, contacts);
     if (!breach && promise_.keeps_sides) {
         const std::size_t escaped = escape_.escaped(world);
         if (escaped > escaped_ && are_closed(world, outlines_))
@@ -173,7 +174,8 @@ std::optional<Breach> InvariantCheck::check_finite(const World& world) const {
     return std::nullopt;
 }
 
-std::optional<Breach> InvariantCheck::check_sides(const World& world) const {
+std::optional<Breach> InvariantCheck::check_sides(const World& world,
+                                                  std::span<const Contact> contacts) const {
     const Balls& balls = world.balls();
     const Capsules& edges = world.capsules();
     if (world.model().wrap || !world.model().ball_edge) return std::nullopt;
@@ -182,6 +184,7 @@ std::optional<Breach> InvariantCheck::check_sides(const World& world) const {
     double thrown = 0.0;
     for (const Hand& hand : world.hands().each)
         thrown = std::max(thrown, 2.0 * hand.pace);
+    const std::vector<double> within = fastest_within(world, contacts, ids_, velocity_);
     std::size_t before = 0;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         while (before < ids_.size() && ids_[before] < balls.id[i])
@@ -190,9 +193,8 @@ std::optional<Breach> InvariantCheck::check_sides(const World& world) const {
         if (ids_[before] != balls.id[i] || is_held(world, balls.id[i])) continue;
         const Vec2 from = position_[before];
         const Vec2 to = balls.position[i];
-        const double fastest =
-            std::max({thrown, length(velocity_[before]), length(balls.velocity[i])}) +
-            length(gravity) * world.tick_length();
+        const double fastest = std::max({thrown, within[before], length(balls.velocity[i])}) +
+                               length(gravity) * world.tick_length();
         const double way = 2.0 * fastest * world.tick_length();
         for (std::size_t e = 0; e < edges.size(); ++e) {
             const Capsule& edge = edges.shape[e];

@@ -30,7 +30,8 @@ namespace carom {
 ///             does not report all of its contacts, they may add anything
 ///   side      the centre of no ball has crossed the spine of a fixed edge that is solid on both
 ///             sides, unless it can have gone round an end: the chord of the tick is tested, and
-///             the way round an end compared with twice the ball's speed
+///             the way round an end compared with twice the ball's speed, which is at least that
+///             after each of its contacts in the tick: light balls between heavy ones are fast
 ///   escape    no ball is outside of an outline in which it started (EscapeWatch), as long as all
 ///             of the outlines' edges are where they were, and stop all balls from both sides
 ///   overlap   no two bodies that collide overlap deeper than the solver promises, and than the
@@ -56,7 +57,7 @@ class InvariantCheck {
     /// tick.
     void note_start(const World& world);
     /// Pre: called after every tick. The first breach in the order of the list; none: all hold.
-    /// `contacts`: those of the tick; only movers need them.
+    /// `contacts`: those of the tick. Sides and the work of movers need them.
     std::optional<Breach> note_tick(const World& world, bool stood_still,
                                     std::span<const Contact> contacts = {});
 
@@ -64,7 +65,7 @@ class InvariantCheck {
     using Pair = std::pair<std::uint64_t, std::uint64_t>;
 
     std::optional<Breach> check_finite(const World& world) const;
-    std::optional<Breach> check_sides(const World& world) const;
+    std::optional<Breach> check_sides(const World& world, std::span<const Contact> contacts) const;
     std::optional<Breach> check_overlap(const World& world);
     std::optional<Breach> check_time(const World& world, bool stood_still) const;
     void exempt_deep_pairs(const World& world);

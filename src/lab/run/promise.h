@@ -24,7 +24,8 @@ struct Promise {
     /// A pair that starts inside one another has separated once it overlaps by no more than this
     /// share of the smaller radius. Until then a ball that turns back may go as deep as it was.
     double parted = 1e-3;
-    /// It lifts overlapping bodies apart, which may add the work done against gravity.
+    /// It lifts overlapping bodies apart, which may add the work done against gravity. What
+    /// `contact` steps in a dense cluster is always lifted so.
     bool lifts_overlaps = false;
     /// How far gravity may move a ball in a tick, in radii. While there are smaller balls, which a
     /// run notes (run_record.h), all that is promised is finite numbers.
