@@ -50,6 +50,11 @@ Real hertz_duration(const Real& stiffness, const Real& mass, const Real& speed) 
 }
 
 template <typename Real>
+Real hertz_speed(const Real& stiffness, const Real& mass, const Real& depth) {
+    return depth * square_root(square_root(depth) * stiffness / (Real(1.25) * mass));
+}
+
+template <typename Real>
 const std::vector<HertzTouch<Real>>& HertzImpact<Real>::press(
     std::span<const ImpactBody<Real>> bodies, std::span<const HertzContact<Real>> contacts,
     const Real& speed) {
@@ -185,6 +190,8 @@ template DoubleDouble hertz_stiffness(const DoubleDouble&, const DoubleDouble&,
                                       const DoubleDouble&);
 template double hertz_duration(const double&, const double&, const double&);
 template DoubleDouble hertz_duration(const DoubleDouble&, const DoubleDouble&, const DoubleDouble&);
+template double hertz_speed(const double&, const double&, const double&);
+template DoubleDouble hertz_speed(const DoubleDouble&, const DoubleDouble&, const DoubleDouble&);
 template class HertzImpact<double>;
 template class HertzImpact<DoubleDouble>;
 

@@ -49,6 +49,10 @@ Real hertz_stiffness(const Real& modulus, const Real& radius_a, const Real& radi
 template <typename Real>
 Real hertz_duration(const Real& stiffness, const Real& mass, const Real& speed);
 
+/// The approach at which two bodies alone press on each other by `depth`, length/s. Pre: all > 0.
+template <typename Real>
+Real hertz_speed(const Real& stiffness, const Real& mass, const Real& depth);
+
 /// Computes impacts that last. From one impact to the next it keeps nothing but allocated memory.
 ///
 /// Method: leapfrog, in steps of 1/128 of the shortest contact at the fastest approach, but at most

@@ -216,6 +216,16 @@ TEST_CASE("Hertz impact: a contact that joins may be much faster than the first"
     CHECK(length(momentum_of(pressed) - momentum_of(bodies)) <= 1e-12);
 }
 
+TEST_CASE("Hertz impact: the speed that presses to a depth, also where its square is none") {
+    for (const double depth : {1e-3, 1e-9, 1e-200}) {
+        const double speed = hertz_speed(1e9, 0.3, depth);
+        CHECK(speed > 0.0);
+        if (depth > 1e-100)
+            CHECK(hertz_duration(1e9, 0.3, speed) * speed / depth ==
+                  doctest::Approx(2.94327506142).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("Hertz impact: what no step resolves is left to impacts that take no time") {
     for (const double light : {1.0, 1e-6, 1e-9, 1e-15}) {
         CAPTURE(light);

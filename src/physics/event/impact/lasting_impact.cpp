@@ -54,14 +54,18 @@ HertzContact<Real> LastingImpact<Real>::contact_of(const ContactPoint<Real>& poi
     return contact;
 }
 
-// Of a fall through `moving_rest_height` with the largest acceleration that cloth gives two balls.
+// What presses the balls by no more than the rounding of a radius. On cloth, of a fall through
+// `moving_rest_height` with the largest acceleration that cloth gives two balls.
 template <typename Real>
 Real LastingImpact<Real>::least_speed(const ContactPoint<Real>& point) const {
+    const Real radius = cluster_.smaller_radius(point);
+    const Real pressed =
+        hertz_speed(contact_of(point).stiffness, Real(1.0) / cluster_.compliance(point),
+                    radius * Real(0x1p-53));
     const auto& cloth = scene_.world->model().cloth;
-    if (!cloth) return Real{};
+    if (!cloth) return pressed;
     const double acceleration = 2.0 * cloth->slide * cloth->gravity;
-    return square_root(Real(2.0 * moving_rest_height * acceleration) *
-                       cluster_.smaller_radius(point));
+    return std::max(pressed, square_root(Real(2.0 * moving_rest_height * acceleration) * radius));
 }
 
 template class LastingImpact<double>;
