@@ -51,7 +51,9 @@ namespace carom {
 /// - `event`: balls come to rest in every scene that loses energy, whether by restitution, slip,
 ///   drag or a stop speed.
 /// - `contact`: an edge that is about to hit a ball is not held back, so it hits at its full speed.
-/// - Contacts that last: the fastest of an impact sets the steps, not the first.
+/// - Contacts that last: the fastest of an impact sets the steps, not the first, and one that would
+///   press by less than rounding takes no time.
+/// - `swept`: a ball that rises with the ball on which it rests pays for the height.
 /// - Pinball: the ball saver and timers stand while the only ball waits at the plunger.
 inline constexpr int physics_version = 4;
 

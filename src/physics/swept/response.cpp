@@ -114,9 +114,25 @@ SweptResponse::Passed SweptResponse::rest_together(const World& world, BallImpac
         bounce(impact.velocity_a, on_a ? 0.0 : impact.inverse_a, impact.velocity_b,
                on_b ? 0.0 : impact.inverse_b, impact.normal,
                impact.approach > 0.0 ? swept_tolerance::resting_restitution : 0.0);
-    if (up > 0.0 && b.is_grounded) paths_.rest_on(world, impact.a, impact.normal);
-    if (up < 0.0 && a.is_grounded) paths_.rest_on(world, impact.b, -impact.normal);
+    if (up > 0.0 && b.is_grounded)
+        rest_on_ball(world, impact.a, impact.normal, impact.now, impact.velocity_a);
+    if (up < 0.0 && a.is_grounded)
+        rest_on_ball(world, impact.b, -impact.normal, impact.now, impact.velocity_b);
     return {exchange, true, impact.approach > 0.0};
+}
+
+// The support takes the weight until the substep ends, but is not slowed by it. So a ball that
+// rises with its support pays for the height, from the speed with which it rises. Hands and movers
+// lift.
+void SweptResponse::rest_on_ball(const World& world, std::uint32_t ball, Vec2 normal, double now,
+                                 Vec2& velocity) {
+    paths_.rest_on(world, ball, normal);
+    if (!world.held_capsules().empty() || !world.held_balls().empty()) return;
+    const double borne = dot(paths_.gravity_on(ball) - step_.gravity, normal);
+    const double fall = borne * (step_.duration - now);
+    const double rise = dot(velocity, normal);
+    if (!(rise > swept_tolerance::unpaid_rise * step_.rest_speed) || !(fall > 0.0)) return;
+    velocity += normal * (rise * rise / (std::sqrt(rise * rise + fall * fall) + fall) - rise);
 }
 
 void SweptResponse::apply_ball_friction(World& world, BallImpact& impact,

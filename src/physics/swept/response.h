@@ -78,6 +78,8 @@ class SweptResponse {
     Passed rest_together(const World& world, BallImpact& impact);
     bool meet_again(const World& world, const BallImpact& impact, Vec2 velocity_a,
                     Vec2 velocity_b) const;
+    void rest_on_ball(const World& world, std::uint32_t ball, Vec2 normal, double now,
+                      Vec2& velocity);
     void apply_ball_friction(World& world, BallImpact& impact, const Passed& passed) const;
 
     SweptOutcome collide_edge(World& world, const SweptEvent& event);
