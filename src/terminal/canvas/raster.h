@@ -51,8 +51,8 @@ struct BallPaint {
     int number_width = 0;
     bool is_lit = false;    ///< shaded as a sphere, with a highlight at the upper left
     bool is_crisp = false;  ///< its border is not smoothed, as where borders are sharp
-    /// Where small balls lie close together, their pixels overlap. A pixel whose middle is nearer
-    /// to one of these points is left to the ball there.
+    /// The middles of other balls of this size. Where small balls lie close together, their pixels
+    /// overlap: each is left to the ball whose middle is nearest.
     std::span<const RasterPoint> rivals;
 };
 

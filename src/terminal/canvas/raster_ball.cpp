@@ -16,6 +16,12 @@ constexpr double rounding = 0.2;
 // of half-covered pixels around so small a square would make a cross of it.
 constexpr double least_two = 1.4142135623730951;   // sqrt(1 * 2)
 constexpr double least_three = 2.449489742783178;  // sqrt(2 * 3)
+// Balls of fewer pixels are as wide as the pixels on which they lie: a rim beyond them would be
+// faint.
+constexpr double most_whole = 5.0;
+// Where borders are sharp: the share of a pixel that a ball must cover to have it. A little less
+// than half, since four pixels by three, without the corners, would be a cross.
+constexpr double least_ball_cover = 0.45;
 // From this many pixels across, a sphere has room for a shadow and a highlight.
 constexpr int least_shaded = 3;
 
@@ -49,7 +55,7 @@ Extent extent_of(double center, double diameter, bool is_snapped, bool is_sharp,
                 whole += diameter >= whole || whole < 2.0 ? 1.0 : -1.0;
         }
         const double first = std::round(center - 0.5 * whole);
-        if (is_sharp || diameter < least_three) extent.size = whole;
+        if (is_sharp || diameter < most_whole) extent.size = whole;
         extent.first = first + 0.5 * (whole - extent.size);
     }
     const double most = count;
@@ -79,10 +85,15 @@ double distance_squared(RasterPoint a, RasterPoint b) {
     return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
-bool is_nearer_to_any(std::span<const RasterPoint> rivals, RasterPoint place, RasterPoint center) {
+// Whether a rival of the same size, in columns, covers the place too and is nearer to it.
+bool belongs_to_rival(std::span<const RasterPoint> rivals, RasterPoint place, RasterPoint center,
+                      RasterPoint size) {
     const double own = distance_squared(place, center);
-    return std::ranges::any_of(
-        rivals, [&](RasterPoint rival) { return distance_squared(place, rival) < own; });
+    return std::ranges::any_of(rivals, [&](RasterPoint rival) {
+        const bool is_covered = std::abs(place.x - rival.x) < 0.5 * size.x &&
+                                std::abs(place.y - rival.y) < 0.5 * size.y;
+        return is_covered && distance_squared(place, rival) < own;
+    });
 }
 
 /// A pixel that a ball covers.
@@ -121,6 +132,7 @@ void Raster::paint_ball(RasterPoint center, double radius, const BallPaint& ball
     const Extent rows =
         extent_of(center.y / height_, down, is_snapped, is_sharp, has_number, samples_down());
     const bool is_square = is_snapped && std::max(columns.size, rows.size) <= 2.0;
+    const RasterPoint size{columns.size * width_, rows.size * height_};
     PixelOfBall at;
     at.pixels = static_cast<int>(std::min({columns.size, rows.size, 1000.0}));
     at.is_low = rows.size < 3.0;
@@ -134,9 +146,9 @@ void Raster::paint_ball(RasterPoint center, double radius, const BallPaint& ball
                 distance < 1e-9 ? 1.0 : (std::abs(at.x) + std::abs(at.y)) / distance;
             const double depth = 0.5 * (1.0 - distance) * std::min(columns.size, rows.size);
             at.cover = std::clamp(depth / width + 0.5, 0.0, 1.0);
-            if (is_sharp || is_square) at.cover = at.cover >= 0.5 ? 1.0 : 0.0;
+            if (is_sharp || is_square) at.cover = at.cover >= least_ball_cover ? 1.0 : 0.0;
             const RasterPoint middle{(at.column + 0.5) * width_, (at.row + 0.5) * height_};
-            if (at.cover > 0.0 && !is_nearer_to_any(ball.rivals, middle, center)) paint(at);
+            if (at.cover > 0.0 && !belongs_to_rival(ball.rivals, middle, center, size)) paint(at);
         }
     }
 }

@@ -277,6 +277,42 @@ TEST_CASE("a ball of one or two pixels is a full square wherever it lies, not a 
     }
 }
 
+TEST_CASE("a ball of four sextants by three is whole, not a cross") {
+    for (const double shift : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+        CAPTURE(shift);
+        Raster raster(sextant_renderer(), 12, 6, 2.0, {direct_colors, true, false});
+        const Color white = direct_color({255, 255, 255});
+        raster.ball({5.0 + shift, 6.0 + shift}, 1.05, {.tones = {white, white, white, white}});
+        int lit = 0;
+        for (int down = 0; down < raster.samples_down(); ++down)
+            for (int across = 0; across < raster.samples_across(); ++across)
+                lit += raster.level_at(across, down) > 0;
+        CHECK(lit == 12);
+    }
+}
+
+TEST_CASE("a ball of three or four pixels has no faint rim in half blocks") {
+    for (const double radius : {1.3, 1.45, 1.6, 1.8, 1.95, 2.2}) {
+        const int side = std::max(3, static_cast<int>(2.0 * radius + 0.2));
+        for (const double offset : {0.0, 0.2, 0.5, 0.85}) {
+            CAPTURE(radius);
+            CAPTURE(offset);
+            Raster raster(half_block_renderer(), 20, 10, 2.0);
+            raster.ball({10.0 + offset, 9.0 - 0.7 * offset}, radius, {});
+            int lit = 0;
+            int faint = 0;
+            for (int down = 0; down < raster.samples_down(); ++down)
+                for (int across = 0; across < raster.samples_across(); ++across) {
+                    const int level = raster.level_at(across, down);
+                    lit += level > 0;
+                    faint += level > 0 && level < 100;
+                }
+            CHECK(lit == side * side);
+            CHECK(faint == 0);
+        }
+    }
+}
+
 TEST_CASE("shapes outside, huge or not finite paint nothing wrong") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double nan = std::nan("");
