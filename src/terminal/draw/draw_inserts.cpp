@@ -69,8 +69,45 @@ std::string_view glyph_of(const TableLight& light) {
     return "o";
 }
 
+/// The pixels of a shape along one axis.
+struct PixelSpan {
+    int first = 0;
+    int count = 1;
+    double middle = 0.0;  ///< in columns
+};
+
+// As many as the shape is wide, and as near to it as can be, so that shapes of one size are alike
+// wherever they are.
+PixelSpan pixel_span(double middle, double radius, double step) {
+    constexpr double most = 1e6;
+    PixelSpan span;
+    span.count = static_cast<int>(std::clamp(std::round(2.0 * radius / step), 1.0, most));
+    span.first =
+        static_cast<int>(std::clamp(std::round(middle / step - 0.5 * span.count), -most, most));
+    span.middle = (span.first + 0.5 * span.count) * step;
+    return span;
+}
+
+void fill_pixels(Raster& raster, const PixelSpan& columns, const PixelSpan& rows, const Ink& ink,
+                 std::uint8_t level) {
+    for (int down = std::max(0, rows.first);
+         down < std::min(raster.samples_down(), rows.first + rows.count); ++down)
+        for (int across = std::max(0, columns.first);
+             across < std::min(raster.samples_across(), columns.first + columns.count); ++across)
+            raster.sample(across, down, level, ink);
+}
+
 void paint_shape(Raster& raster, RasterPoint at, double radius, const TableLight& light,
                  const Ink& ink, std::uint8_t level) {
+    if (raster.renderer().has_pixels()) {
+        const PixelSpan columns = pixel_span(at.x, radius, 1.0 / raster.renderer().across);
+        const PixelSpan rows = pixel_span(at.y, radius, raster.aspect() / raster.renderer().down);
+        // So few pixels have no room for another shape than a square.
+        constexpr int least_shaped = 4;
+        if (std::min(columns.count, rows.count) < least_shaped)
+            return fill_pixels(raster, columns, rows, ink, level);
+        at = {columns.middle, rows.middle};
+    }
     if (light.insert == InsertShape::circle)
         return raster.disc(at, radius, 0.0, {ink, level, '\0'});
     const Vec2 up = light.direction;

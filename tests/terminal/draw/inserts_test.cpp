@@ -65,6 +65,32 @@ TEST_CASE("an insert has its shape and name, dim until it is lit") {
     }
 }
 
+TEST_CASE("small inserts are squares, the same wherever they lie, and dim until they are lit") {
+    for (const Renderer* renderer :
+         {&half_block_renderer(), &sextant_renderer(), &octant_renderer()}) {
+        CAPTURE(renderer->name);
+        for (const InsertShape shape : {InsertShape::circle, InsertShape::arrow, InsertShape::star})
+            for (const double shift : {0.0, 0.3, 0.55, 0.9}) {
+                CAPTURE(shift);
+                TableAnnotations table;
+                table.lights = {light_at({30 + shift, 30 - shift}, shape, false)};
+                table.lights.front().shape.radius = 0.7;
+                table.lights.front().text = "";
+                const Picture unlit(table, *renderer, "theme board=navy\nbox 0,0 60,60\n");
+                CHECK(unlit.count(gold) == 0);
+                table.lights.front().is_lit = true;
+                const Picture lit(table, *renderer, "theme board=navy\nbox 0,0 60,60\n");
+                CHECK(lit.canvas.text() == unlit.canvas.text());
+                int changed = 0;
+                for (int row = 0; row < lit.canvas.rows(); ++row)
+                    for (int column = 0; column < lit.canvas.columns(); ++column)
+                        changed += !(lit.canvas.at(column, row) == unlit.canvas.at(column, row));
+                CHECK(changed >= 1);
+                CHECK(changed <= 4);
+            }
+    }
+}
+
 TEST_CASE("an arrow points in ASCII too, and names do not cover other lights") {
     TableAnnotations table;
     table.lights = {light_at({30, 30}, InsertShape::arrow, true)};
