@@ -53,11 +53,13 @@ double reach(const Board& board, Vec2 from, Vec2 way, double most) {
     return most;
 }
 
-// Only of a table with six pockets or four, symmetric about its middle: others have no diamonds.
+// Only of a table with six pockets, four or none, symmetric about its middle: others have no
+// diamonds.
 std::optional<TableAxes> axes_of(const View& view, const Board& board) {
     const std::vector<std::uint32_t>& pockets = view.scene.pool.pockets;
-    if (pockets.size() != 4 && pockets.size() != 6) return std::nullopt;
+    if (!pockets.empty() && pockets.size() != 4 && pockets.size() != 6) return std::nullopt;
     std::optional<Box> box;
+    if (pockets.empty()) box = board.frame();
     for (const std::uint32_t pocket : pockets) {
         const Vec2 at = view.world.zones()[pocket].shape.start;
         box = box ? join(*box, {at, at}) : Box{at, at};
@@ -75,6 +77,10 @@ std::optional<TableAxes> axes_of(const View& view, const Board& board) {
     const Vec2 beside = axes.middle + axes.along * (0.2 * most);
     axes.length = reach(board, axes.middle, axes.along, most);
     axes.width = reach(board, beside, axes.across, most);
+    // A table without pockets has diamonds if it is as long as two squares, as those of caroms are.
+    constexpr double tolerance = 0.1;
+    const bool is_double = std::abs(axes.length - 2.0 * axes.width) < tolerance * axes.length;
+    if (pockets.empty() && !is_double) return std::nullopt;
     return axes;
 }
 
@@ -122,8 +128,10 @@ void paint_diamonds(Raster& raster, const View& view, const Board& board, const 
         raster.disc(to_raster(view.camera, at), radius, 0.0, {ivory, 255, '\0'});
     };
     for (const int side : {-1, 1}) {
+        // A side pocket is in the middle.
         for (int i = -3; i <= 3; ++i)
-            if (i != 0) diamond(0.25 * i * axes.length, side * (axes.width + out));
+            if (i != 0 || view.scene.pool.pockets.empty())
+                diamond(0.25 * i * axes.length, side * (axes.width + out));
         for (int i = -1; i <= 1; ++i)
             diamond(side * (axes.length + out), 0.5 * i * axes.width);
     }

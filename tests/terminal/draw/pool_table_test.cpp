@@ -163,3 +163,27 @@ TEST_CASE("pool table: a ball about as large as a pixel takes two, so the cue ba
     CHECK(lit_pixels(62, 20) == 4);
     CHECK(lit_pixels(30, 10) == 1);
 }
+
+TEST_CASE("pool table: one without pockets has diamonds too, if it is as long as two squares") {
+    const auto diamonds = [](const std::string& box) {
+        LoadResult loaded = load_level(
+            "carom 1 \"t\"\nuse cloth slide=0.2 roll=0.01 spin=10 g=10\nuse spin\n"
+            "ball cue at=40,30 r=3\ncue ball=cue power=0..10\nbox 0,0 " +
+                box + "\n",
+            "test.level");
+        REQUIRE(loaded.scene);
+        const PixelPicture picture =
+            pixels_of(*loaded.scene, look_with(direct_colors), {}, 160, 50);
+        int count = 0;
+        for (int row = 0; row < 100; ++row)
+            for (int column = 0; column < 160; ++column) {
+                const Color color = picture.pixel(column, row);
+                const Rgb rgb = color == default_color ? Rgb{} : rgb_of(color);
+                // Ivory, which the white ball is not.
+                count += rgb.red > 160 && rgb.blue > 120 && rgb.blue < 225;
+            }
+        return count;
+    };
+    CHECK(diamonds("200,100") == 20);
+    CHECK(diamonds("200,60") == 0);
+}
