@@ -110,13 +110,13 @@ void ContactBodies::integrate_velocities(const World& world, const ContactSubste
     }
 }
 
-double overlap_bound(const ContactBodies& bodies, const ContactPair& pair) {
-    return contact_tolerance::overlap_limit * smaller_radius(bodies, pair);
+double overlap_bound(const ContactPair& pair) {
+    return contact_tolerance::overlap_limit * pair.radius;
 }
 
 bool is_embedded(const ContactBodies& bodies, const ContactPair& pair) {
     return bodies.is_ball(pair.b) &&
-           -pair.separation > contact_tolerance::embedded * overlap_bound(bodies, pair);
+           -pair.separation > contact_tolerance::embedded * overlap_bound(pair);
 }
 
 Contact contact_of(const ContactBodies& bodies, const ContactPair& pair, double time,
@@ -132,12 +132,11 @@ Contact contact_of(const ContactBodies& bodies, const ContactPair& pair, double 
             .impulse = impulse};
 }
 
-double soft_bound(const ContactSubstep& step, const ContactBodies& bodies,
-                  const ContactPair& pair) {
-    const double bound = overlap_bound(bodies, pair);
+double soft_bound(const ContactSubstep& step, const ContactPair& pair) {
+    const double bound = overlap_bound(pair);
     const double depth = -std::min(pair.separation, 0.0);
     if (step.trusts_constraints()) return std::max(bound, depth);
-    const double room = contact_tolerance::strict_overlap * smaller_radius(bodies, pair) - depth;
+    const double room = contact_tolerance::strict_overlap * pair.radius - depth;
     return std::max(depth, std::min(bound, depth + contact_tolerance::strict_share * room));
 }
 

@@ -108,30 +108,32 @@ struct ContactPair {
     double impulse = 0.0;     ///< along the normal
     double tangential_impulse = 0.0;  ///< along perpendicular(normal)
     double friction = 0.0;
+    double radius = 0.0;  ///< the smaller one; an edge counts as large
+    /// Of a constraint. Positive: the speed at which the gap may close. Negative: the speed at
+    /// which the overlap must open. Length/s.
+    double target = 0.0;
     std::uint32_t edge = NearPair::no_edge;
     std::int8_t across = 0;  ///< which image of the edge on a torus
     std::int8_t along = 0;
     ContactState state = ContactState::idle;
+    bool is_persistent = false;  ///< a constraint that pressed in the last substep too
+    bool has_pressed = false;    ///< in this substep, before it gave its impulse back
+    /// It is solved together with the next constraint, with which it shares no body but the fixed
+    /// one.
+    bool has_neighbour = false;
+    bool has_settled = false;              ///< came to rest at an impact in this substep
     bool bounces : 1 = false;              ///< restitution above 0
     bool is_inelastic : 1 = false;         ///< restitution above 0 and below 1
     bool is_kinematic : 1 = false;         ///< one of the bodies is
     bool is_new : 1 = true;                ///< did not press yet: no contact has been reported
-    bool has_settled : 1 = false;          ///< came to rest at an impact in this substep
     bool is_hinged : 1 = false;            ///< b is a point of a seesaw, of which `mass` knows
     bool has_high_mass_ratio : 1 = false;  ///< of the two balls: `high_mass_ratio`
 
     bool is_on_edge() const { return edge != NearPair::no_edge; }
 };
 
-/// The smaller radius of a pair; an edge counts as large.
-inline double smaller_radius(const ContactBodies& bodies, const ContactPair& pair) {
-    const double radius = bodies.radius[pair.a];
-    if (!bodies.is_ball(pair.b)) return radius;
-    return bodies.radius[pair.b] < radius ? bodies.radius[pair.b] : radius;
-}
-
 /// The overlap at which two bodies stop, however hard they are pressed together.
-double overlap_bound(const ContactBodies& bodies, const ContactPair& pair);
+double overlap_bound(const ContactPair& pair);
 
 /// Whether two balls overlap deeper than any that are pressed: they started so, or a player has put
 /// them there.
@@ -141,7 +143,7 @@ bool is_embedded(const ContactBodies& bodies, const ContactPair& pair);
 /// to the constraints of later substeps. Where these are not trusted (in a strict tick, and without
 /// gravity, where pairs that bounce never become constraints) it is a part of the way to
 /// `strict_overlap`, or what the pair has.
-double soft_bound(const ContactSubstep& step, const ContactBodies& bodies, const ContactPair& pair);
+double soft_bound(const ContactSubstep& step, const ContactPair& pair);
 
 /// The report of a constraint that passes this impulse.
 Contact contact_of(const ContactBodies& bodies, const ContactPair& pair, double time,

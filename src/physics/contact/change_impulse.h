@@ -26,7 +26,7 @@ struct Vectors {
 }  // namespace contact_lanes
 
 template <bool spin>
-inline void ContactConstraints::change_impulses(ContactConstraint& first, ContactConstraint& second,
+inline void ContactConstraints::change_impulses(ContactPair& first, ContactPair& second,
                                                 F64x2 impulse) {
     using contact_lanes::both, contact_lanes::Vectors;
     ContactBody& first_a = bodies_.body[first.a];
@@ -38,7 +38,7 @@ inline void ContactConstraints::change_impulses(ContactConstraint& first, Contac
     Vectors b(first_b.velocity, second_b.velocity);
     const F64x2 inverse_a = both(first_a, second_a, &ContactBody::inverse_mass);
     const F64x2 inverse_b = both(first_b, second_b, &ContactBody::inverse_mass);
-    const F64x2 more = impulse - both(first, second, &ContactConstraint::impulse);
+    const F64x2 more = impulse - both(first, second, &ContactPair::impulse);
     const F64x2 push_x = normal.x * more;
     const F64x2 push_y = normal.y * more;
     first.impulse = impulse[0];
@@ -56,12 +56,12 @@ inline void ContactConstraints::change_impulses(ContactConstraint& first, Contac
         const F64x2 tangent_y = normal.x;
         F64x2 surface_a = both(first_a, second_a, &ContactBody::surface_speed);
         F64x2 surface_b = both(first_b, second_b, &ContactBody::surface_speed);
-        const F64x2 old = both(first, second, &ContactConstraint::tangential_impulse);
+        const F64x2 old = both(first, second, &ContactPair::tangential_impulse);
         const F64x2 slip =
             ((a.x - b.x) * tangent_x + (a.y - b.y) * tangent_y) - (surface_a + surface_b);
-        const F64x2 most = both(first, second, &ContactConstraint::friction) * impulse;
+        const F64x2 most = both(first, second, &ContactPair::friction) * impulse;
         const F64x2 wanted =
-            old - slip * both(first, second, &ContactConstraint::mass) * step_.friction_mass;
+            old - slip * both(first, second, &ContactPair::mass) * step_.friction_mass;
         const F64x2 bounded = at_least(-most, at_most(most, wanted));
         const F64x2 change = bounded - old;
         first.tangential_impulse = bounded[0];
@@ -87,30 +87,32 @@ inline void ContactConstraints::change_impulses(ContactConstraint& first, Contac
 
 template <typename Visit>
 inline void ContactConstraints::upwards_by_twos(Visit&& visit) {
-    for (std::size_t k = 0; k < constraints_.size();) {
-        ContactConstraint& first = constraints_[k++];
-        visit(first, first.has_neighbour ? constraints_[k++] : nothing_);
+    const std::span<const std::uint32_t> constraints = classification_.constraints();
+    for (std::size_t k = 0; k < constraints.size();) {
+        ContactPair& first = pairs_[constraints[k++]];
+        visit(first, first.has_neighbour ? pairs_[constraints[k++]] : nothing_);
     }
 }
 
 template <typename Visit>
 inline void ContactConstraints::downwards_by_twos(Visit&& visit) {
-    for (std::size_t k = constraints_.size(); k > 0;) {
-        ContactConstraint& last = constraints_[--k];
-        if (k > 0 && constraints_[k - 1].has_neighbour)
-            visit(constraints_[--k], last);
+    const std::span<const std::uint32_t> constraints = classification_.constraints();
+    for (std::size_t k = constraints.size(); k > 0;) {
+        ContactPair& last = pairs_[constraints[--k]];
+        if (k > 0 && pairs_[constraints[k - 1]].has_neighbour)
+            visit(pairs_[constraints[--k]], last);
         else
             visit(last, nothing_);
     }
 }
 
-inline double ContactConstraints::separating_speed(const ContactConstraint& constraint) const {
+inline double ContactConstraints::separating_speed(const ContactPair& constraint) const {
     return dot(bodies_.body[constraint.a].velocity - bodies_.body[constraint.b].velocity,
                constraint.normal);
 }
 
-inline F64x2 ContactConstraints::separating_speeds(const ContactConstraint& first,
-                                                   const ContactConstraint& second) const {
+inline F64x2 ContactConstraints::separating_speeds(const ContactPair& first,
+                                                   const ContactPair& second) const {
     using contact_lanes::Vectors;
     const Vectors a(bodies_.body[first.a].velocity, bodies_.body[second.a].velocity);
     const Vectors b(bodies_.body[first.b].velocity, bodies_.body[second.b].velocity);

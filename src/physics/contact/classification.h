@@ -61,6 +61,7 @@ class ContactClassification {
     void hinge(ContactPair& pair) const;
     template <Terms terms>
     ContactState state_of(const World& world, const ContactPair& pair) const;
+    bool is_fast(const ContactPair& pair, Vec2 relative) const;
     bool is_led_by_curve(const World& world, const ContactPair& pair, double approach) const;
     bool is_pushed(const World& world, const ContactPair& pair, double approach) const;
 
@@ -74,6 +75,8 @@ class ContactClassification {
     std::vector<std::uint8_t> contacts_on_;  // by body, counted up to enclosed_contacts; or empty
     bool any_high_mass_ratio_ = false;
     double deepest_ = 0.0;
+    double closing_gap_ = 0.0;
+    double slowest_fast_square_ = 0.0;  // no slower pair of any size is fast, length^2/s^2
 };
 
 /// Restitution of the pair at this speed of approach.

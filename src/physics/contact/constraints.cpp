@@ -10,7 +10,7 @@ namespace carom {
 
 // The impulses of the last substep, in one go.
 template <bool spin>
-inline void ContactConstraints::apply(const ContactConstraint& constraint) {
+inline void ContactConstraints::apply(const ContactPair& constraint) {
     ContactBody& a = bodies_.body[constraint.a];
     ContactBody& b = bodies_.body[constraint.b];
     Vec2 push = constraint.normal * constraint.impulse;
@@ -33,59 +33,50 @@ inline double ContactConstraints::holding_target(const ContactPair& pair) const 
 
 template <bool spin>
 void ContactConstraints::begin_all() {
-    const std::span<const std::uint32_t> indices = classification_.constraints();
-    constraints_.resize(indices.size());
-    nothing_ = {.a = bodies_.fixed, .b = bodies_.fixed};
+    nothing_ = ContactPair{.a = bodies_.fixed, .b = bodies_.fixed};
     new_.clear();
     const double per_substep = 1.0 / step_.duration;
     const bool may_open = energy_.may_open();
     const double deepest_held = -contact_tolerance::deep_overlap * bodies_.smallest_radius;
+    const ContactSoftness softness = step_.softness;
     double springs = 0.0;
-    for (std::uint32_t k = 0; k < indices.size(); ++k) {
-        const ContactPair& pair = pairs_[indices[k]];
+    ContactPair* before = nullptr;  // free to be the neighbour of the next one
+    for (const std::uint32_t p : classification_.constraints()) {
+        ContactPair& pair = pairs_[p];
         const double gap = pair.separation;
         const double stiffer =
             std::min(-gap * (contact_tolerance::overlap_limit * contact_tolerance::stiffening /
-                             overlap_bound(bodies_, pair)),
+                             overlap_bound(pair)),
                      contact_tolerance::most_stiffening);
-        if (pair.is_new) new_.push_back(k);
-        constraints_[k] = {
-            .a = pair.a,
-            .b = pair.b,
-            .pair = indices[k],
-            .is_persistent = pair.impulse > 0.0,
-            .normal = pair.normal,
-            .target = gap * (gap > 0.0 ? per_substep : (1.0 + stiffer) * step_.softness.push),
-            .mass = pair.mass,
-            .impulse = pair.impulse,
-            .tangential_impulse = pair.tangential_impulse,
-            .friction = pair.friction};
-        // The constraint before is free to be its neighbour unless it has one already.
-        if (k > 0 && (k == 1 || !constraints_[k - 2].has_neighbour))
-            constraints_[k - 1].has_neighbour = !share_body(constraints_[k - 1], constraints_[k]);
+        if (pair.is_new) new_.push_back(p);
+        pair.target = gap * (gap > 0.0 ? per_substep : (1.0 + stiffer) * softness.push);
         if (!may_open && gap > deepest_held && gap < 0.0)
-            constraints_[k].target = std::max(constraints_[k].target, holding_target(pair));
-        apply<spin>(constraints_[k]);
+            pair.target = std::max(pair.target, holding_target(pair));
+        pair.is_persistent = pair.impulse > 0.0;
+        pair.has_pressed = pair.has_neighbour = false;
+        const bool is_neighbour = before && !share_body(*before, pair);
+        if (is_neighbour) before->has_neighbour = true;
+        before = is_neighbour ? nullptr : &pair;
+        apply<spin>(pair);
         if (gap < 0.0) springs += pair.mass * gap * gap * (1.0 + stiffer);
     }
     energy_.begin_substep(0.5 * step_.softness.spring * springs);
 }
 
-bool ContactConstraints::share_body(const ContactConstraint& one,
-                                    const ContactConstraint& other) const {
+bool ContactConstraints::share_body(const ContactPair& one, const ContactPair& other) const {
     return one.a == other.a || one.a == other.b || one.b == other.a ||
            (one.b == other.b && one.b != bodies_.fixed);
 }
 
 template <bool spin>
-inline void ContactConstraints::solve(ContactConstraint& first, ContactConstraint& second) {
+inline void ContactConstraints::solve(ContactPair& first, ContactPair& second) {
     using contact_lanes::both;
-    const F64x2 target = both(first, second, &ContactConstraint::target);
-    const F64x2 impulse = both(first, second, &ContactConstraint::impulse);
+    const F64x2 target = both(first, second, &ContactPair::target);
+    const F64x2 impulse = both(first, second, &ContactPair::impulse);
     const auto is_open = target > F64x2{};
     const F64x2 one{1.0, 1.0};
-    const F64x2 mass = (is_open ? one : one * step_.softness.mass_share) *
-                       both(first, second, &ContactConstraint::mass);
+    const F64x2 mass =
+        (is_open ? one : one * step_.softness.mass_share) * both(first, second, &ContactPair::mass);
     const F64x2 given_back = is_open ? F64x2{} : one * step_.softness.impulse_share;
     const F64x2 change = mass * (separating_speeds(first, second) + target) + given_back * impulse;
     change_impulses<spin>(first, second, at_least(F64x2{}, impulse - change));
@@ -94,25 +85,24 @@ inline void ContactConstraints::solve(ContactConstraint& first, ContactConstrain
 // A pair without an impulse may close its gap within a substep, but no faster. A pair that pressed
 // in the last substep is over-relaxed, since its neighbours undo a part of the change.
 template <bool spin>
-inline void ContactConstraints::relax(ContactConstraint& first, ContactConstraint& second) {
+inline void ContactConstraints::relax(ContactPair& first, ContactPair& second) {
     using contact_lanes::both;
-    const F64x2 impulse = both(first, second, &ContactConstraint::impulse);
-    const F64x2 room = impulse == F64x2{}
-                           ? at_least(F64x2{}, both(first, second, &ContactConstraint::target))
-                           : F64x2{};
+    const F64x2 impulse = both(first, second, &ContactPair::impulse);
+    const F64x2 room =
+        impulse == F64x2{} ? at_least(F64x2{}, both(first, second, &ContactPair::target)) : F64x2{};
     const F64x2 speed = separating_speeds(first, second) + room;
     const double bound = contact_tolerance::over_relaxation * step_.rest_speed;
     const F64x2 most{first.is_persistent ? bound : 0.0, second.is_persistent ? bound : 0.0};
     const F64x2 more = at_least(-most, at_most(most, contact_tolerance::over_relaxation * speed));
-    const F64x2 change = both(first, second, &ContactConstraint::mass) * (speed + more);
+    const F64x2 change = both(first, second, &ContactPair::mass) * (speed + more);
     first.has_pressed |= impulse[0] > 0.0;
     second.has_pressed |= impulse[1] > 0.0;
     change_impulses<spin>(first, second, at_least(F64x2{}, impulse - change));
 }
 
 // A pair that is about to bounce takes no impulse from a ball that has just bounced.
-bool ContactConstraints::is_about_to_bounce(const ContactConstraint& constraint) const {
-    return pairs_[constraint.pair].bounces && -separating_speed(constraint) > step_.rest_speed;
+bool ContactConstraints::is_about_to_bounce(const ContactPair& pair) const {
+    return pair.bounces && -separating_speed(pair) > step_.rest_speed;
 }
 
 template <bool spin>
@@ -125,9 +115,11 @@ void ContactConstraints::solve_all(bool downwards) {
 
 template <bool spin>
 void ContactConstraints::relax_all() {
+    if (!had_impacts_)
+        return downwards_by_twos([&](auto& first, auto& second) { relax<spin>(first, second); });
     downwards_by_twos([&](auto& first, auto& second) {
-        const bool skips_first = had_impacts_ && is_about_to_bounce(first);
-        const bool skips_second = had_impacts_ && is_about_to_bounce(second);
+        const bool skips_first = is_about_to_bounce(first);
+        const bool skips_second = is_about_to_bounce(second);
         if (!skips_first && !skips_second)
             relax<spin>(first, second);
         else if (!skips_first)
@@ -148,9 +140,8 @@ void ContactConstraints::begin() {
     if (has_excess()) step_.spins ? take_back_excess<true>() : take_back_excess<false>();
     solve(false);
     for (int iteration = 1; iteration < contact_tolerance::loaded_iterations; ++iteration)
-        for (const std::uint32_t k : loaded_)
-            step_.spins ? solve<true>(constraints_[k], nothing_)
-                        : solve<false>(constraints_[k], nothing_);
+        for (const std::uint32_t p : loaded_)
+            step_.spins ? solve<true>(pairs_[p], nothing_) : solve<false>(pairs_[p], nothing_);
 }
 
 void ContactConstraints::relax(double most_push, bool had_impacts) {
@@ -160,18 +151,10 @@ void ContactConstraints::relax(double most_push, bool had_impacts) {
     step_.spins ? relax_all<true>() : relax_all<false>();
     for (int iteration = 1; iteration < contact_tolerance::loaded_iterations; ++iteration) {
         for (std::size_t k = loaded_.size(); k-- > 0;) {
-            ContactConstraint& constraint = constraints_[loaded_[k]];
-            if (had_impacts_ && is_about_to_bounce(constraint)) continue;
-            step_.spins ? relax<true>(constraint, nothing_) : relax<false>(constraint, nothing_);
+            ContactPair& pair = pairs_[loaded_[k]];
+            if (had_impacts_ && is_about_to_bounce(pair)) continue;
+            step_.spins ? relax<true>(pair, nothing_) : relax<false>(pair, nothing_);
         }
-    }
-    store_impulses();
-}
-
-void ContactConstraints::store_impulses() {
-    for (const ContactConstraint& constraint : constraints_) {
-        pairs_[constraint.pair].impulse = constraint.impulse;
-        pairs_[constraint.pair].tangential_impulse = constraint.tangential_impulse;
     }
 }
 
@@ -180,23 +163,23 @@ void ContactConstraints::find_loaded() {
     loaded_.clear();
     if (!classification_.any_high_mass_ratio()) return;
     is_loaded_.assign(bodies_.body.size(), 0);
-    for (auto k = static_cast<std::uint32_t>(constraints_.size()); k-- > 0;) {
-        const ContactPair& pair = pairs_[constraints_[k].pair];
+    const std::span<const std::uint32_t> constraints = classification_.constraints();
+    for (std::size_t k = constraints.size(); k-- > 0;) {
+        const ContactPair& pair = pairs_[constraints[k]];
         if (!is_loaded_[pair.a] && !is_loaded_[pair.b] && !pair.has_high_mass_ratio) continue;
         if (!bodies_.is_kinematic(pair.a)) is_loaded_[pair.a] = 1;
         if (!bodies_.is_kinematic(pair.b)) is_loaded_[pair.b] = 1;
-        loaded_.push_back(k);
+        loaded_.push_back(constraints[k]);
     }
     std::reverse(loaded_.begin(), loaded_.end());
 }
 
 void ContactConstraints::report_new(std::vector<Contact>& contacts, ContactKinematics& kinematics) {
-    for (const std::uint32_t k : new_) {
-        ContactPair& pair = pairs_[constraints_[k].pair];
-        const double impulse = constraints_[k].impulse;
-        if (!(impulse > 0.0)) continue;
+    for (const std::uint32_t p : new_) {
+        ContactPair& pair = pairs_[p];
+        if (!(pair.impulse > 0.0)) continue;
         pair.is_new = false;
-        contacts.push_back(contact_of(bodies_, pair, step_.start_time, impulse));
+        contacts.push_back(contact_of(bodies_, pair, step_.start_time, pair.impulse));
         kinematics.note_reported(pair, contacts.back());
     }
 }

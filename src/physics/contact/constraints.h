@@ -14,26 +14,6 @@ namespace carom {
 
 class ContactEnergy;
 
-/// A constraint in a substep: what the iterations need, one after another in their order.
-struct ContactConstraint {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    std::uint32_t pair = 0;
-    bool is_persistent = false;  ///< pressed in the last substep too
-    bool has_pressed = false;    ///< in this substep, before it gave its impulse back
-    /// It is solved together with the next constraint, with which it shares no body but the fixed
-    /// one.
-    bool has_neighbour = false;
-    Vec2 normal;
-    /// Positive: the speed at which the gap may close. Negative: the speed at which the overlap
-    /// must open. Length/s.
-    double target = 0.0;
-    double mass = 0.0;  ///< of a rigid contact
-    double impulse = 0.0;
-    double tangential_impulse = 0.0;
-    double friction = 0.0;
-};
-
 /// The constraints of the solver `contact`: sequential impulses with warm starting.
 ///
 /// A substep solves them once from the bottom up (`begin`), with the softness that opens overlaps,
@@ -64,7 +44,7 @@ class ContactConstraints {
     void begin();
     /// One more iteration, for kinematic bodies that have changed their velocities.
     void solve(bool downwards);
-    /// The last iteration; then the pairs have their impulses. `most_push`: the longest
+    /// The last iteration. `most_push`: the longest
     /// displacement that impulses gave in the substep. `had_impacts`: then a pair that is about to
     /// bounce is left alone.
     void relax(double most_push, bool had_impacts);
@@ -73,34 +53,30 @@ class ContactConstraints {
     /// kinematic bodies.
     void report_new(std::vector<Contact>& contacts, ContactKinematics& kinematics);
 
-    /// In their order. Impulses may be scaled down before `relax`.
-    std::span<ContactConstraint> all() { return constraints_; }
-
   private:
     template <bool spin>
     void begin_all();
     double holding_target(const ContactPair& pair) const;
     template <bool spin>
-    void apply(const ContactConstraint& constraint);
+    void apply(const ContactPair& pair);
     template <bool spin>
-    void change_impulses(ContactConstraint& first, ContactConstraint& second, F64x2 impulse);
+    void change_impulses(ContactPair& first, ContactPair& second, F64x2 impulse);
     template <bool spin>
-    void solve(ContactConstraint& first, ContactConstraint& second);
+    void solve(ContactPair& first, ContactPair& second);
     template <bool spin>
     void solve_all(bool downwards);
     template <bool spin>
-    void relax(ContactConstraint& first, ContactConstraint& second);
+    void relax(ContactPair& first, ContactPair& second);
     template <bool spin>
     void relax_all();
-    double separating_speed(const ContactConstraint& constraint) const;
-    F64x2 separating_speeds(const ContactConstraint& first, const ContactConstraint& second) const;
+    double separating_speed(const ContactPair& pair) const;
+    F64x2 separating_speeds(const ContactPair& first, const ContactPair& second) const;
     template <typename Visit>
     void upwards_by_twos(Visit&& visit);
     template <typename Visit>
     void downwards_by_twos(Visit&& visit);
-    bool is_about_to_bounce(const ContactConstraint& constraint) const;
+    bool is_about_to_bounce(const ContactPair& pair) const;
     void find_loaded();
-    void store_impulses();
 
     /// How fast the upper of two bodies leaves the lower one, and what changes that.
     struct Excess {
@@ -108,9 +84,9 @@ class ContactConstraints {
         double inverse_mass = 0.0;
     };
     bool has_excess() const;
-    Excess excess_of(const ContactConstraint& constraint, Vec2 up) const;
-    std::optional<double> without_excess(const ContactConstraint& constraint, Vec2 up) const;
-    bool share_body(const ContactConstraint& one, const ContactConstraint& other) const;
+    Excess excess_of(const ContactPair& pair, Vec2 up) const;
+    std::optional<double> without_excess(const ContactPair& pair, Vec2 up) const;
+    bool share_body(const ContactPair& one, const ContactPair& other) const;
     template <bool spin>
     void take_back_excess();
 
@@ -119,10 +95,9 @@ class ContactConstraints {
     ContactPairs& pairs_;
     const ContactClassification& classification_;
     ContactEnergy& energy_;
-    std::vector<ContactConstraint> constraints_;
-    ContactConstraint nothing_;          // the neighbour of one that has none
-    std::vector<std::uint32_t> new_;     // indices of constraints that did not press yet
-    std::vector<std::uint32_t> loaded_;  // indices of constraints below a high mass ratio
+    ContactPair nothing_;             // the neighbour of one that has none
+    std::vector<std::uint32_t> new_;  // pairs that did not press yet, in the order of constraints
+    std::vector<std::uint32_t> loaded_;  // pairs below a high mass ratio, in the same order
     std::vector<std::uint8_t> is_loaded_;
     bool had_impacts_ = false;
 };

@@ -13,7 +13,7 @@ bool ContactEnergy::may_open() {
     return !(excess() > 0.0);
 }
 
-void ContactEnergy::end_substep(std::span<const ContactConstraint> constraints,
+void ContactEnergy::end_substep(std::span<const std::uint32_t> constraints,
                                 std::span<const BodyPair> impacts, double given) {
     if (constraints.empty()) return;
     if (!energy_) energy_ = energy_of_balls();

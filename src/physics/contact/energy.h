@@ -55,8 +55,8 @@ class ContactEnergy {
     /// collided with one another in the substep. `given`: the energy that impacts and kinematic
     /// bodies gave. Pre: velocities, positions and displacements are those of the end of the
     /// substep.
-    void end_substep(std::span<const ContactConstraint> constraints,
-                     std::span<const BodyPair> impacts, double given);
+    void end_substep(std::span<const std::uint32_t> constraints, std::span<const BodyPair> impacts,
+                     double given);
 
   private:
     /// What the balls of a group lose.

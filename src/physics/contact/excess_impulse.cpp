@@ -18,7 +18,7 @@ bool ContactConstraints::has_excess() const {
 
 // The speed at which the upper body leaves the lower one, now or at the start of the substep,
 // whichever is less. The more vertical the contact, the more the lower body counts as held.
-ContactConstraints::Excess ContactConstraints::excess_of(const ContactConstraint& constraint,
+ContactConstraints::Excess ContactConstraints::excess_of(const ContactPair& constraint,
                                                          Vec2 up) const {
     const double rise = dot(constraint.normal, up);
     const std::uint32_t upper = rise < 0.0 ? constraint.b : constraint.a;
@@ -34,7 +34,7 @@ ContactConstraints::Excess ContactConstraints::excess_of(const ContactConstraint
 }
 
 // The impulse without its excess; none where there is none.
-std::optional<double> ContactConstraints::without_excess(const ContactConstraint& constraint,
+std::optional<double> ContactConstraints::without_excess(const ContactPair& constraint,
                                                          Vec2 up) const {
     const Excess excess = excess_of(constraint, up);
     if (!(excess.speed > contact_tolerance::most_excess * step_.rest_speed)) return std::nullopt;
@@ -51,10 +51,10 @@ void ContactConstraints::take_back_excess() {
     const Vec2 up = -step_.gravity / length(step_.gravity);
     const double bound = contact_tolerance::most_excess * step_.rest_speed;
     // Most pairs have none, and are told by this.
-    const auto may_have_excess = [&](const ContactConstraint& constraint) {
+    const auto may_have_excess = [&](const ContactPair& constraint) {
         return constraint.impulse > 0.0 && separating_speed(constraint) > bound;
     };
-    downwards_by_twos([&](ContactConstraint& first, ContactConstraint& second) {
+    downwards_by_twos([&](ContactPair& first, ContactPair& second) {
         const bool is_first = may_have_excess(first);
         const bool is_second = may_have_excess(second);
         if (!is_first && !is_second) return;

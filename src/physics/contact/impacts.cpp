@@ -78,7 +78,7 @@ void ContactImpacts::find_candidates() {
         const ContactPair& pair = pairs_[p];
         if (pair.state == ContactState::ccd) continue;
         const double allowed =
-            pair.state == ContactState::constraint ? soft_bound(step_, bodies_, pair) : 0.0;
+            pair.state == ContactState::constraint ? soft_bound(step_, pair) : 0.0;
         if (shrinks(pair) > pair.separation + allowed) candidates_.push_back(p);
     }
 }
@@ -118,7 +118,7 @@ void ContactImpacts::push_freeze(std::uint32_t body, std::optional<double> time)
                  .body_version = paths_[body].version});
 }
 
-void ContactImpacts::run(World& world, std::span<ContactConstraint> constraints,
+void ContactImpacts::run(World& world, std::span<const std::uint32_t> constraints,
                          ContactHinges& hinges, std::vector<Contact>& contacts) {
     paths_.begin();
     kinematics_.for_each_held_ball([&](std::uint32_t body) { paths_.add(body); });
@@ -196,7 +196,7 @@ bool ContactImpacts::is_soft(const ContactPair& pair, Vec2 other_velocity, doubl
     if (pair.has_settled) return true;
     if (pair.state != ContactState::constraint) return false;
     if ((!pair.bounces || classification_.is_enclosed(pair)) &&
-        pair.separation > -contact_tolerance::soft_overlap * overlap_bound(bodies_, pair))
+        pair.separation > -contact_tolerance::soft_overlap * overlap_bound(pair))
         return true;
     return -dot(paths_.velocity_at(pair.a, now) - other_velocity, pair.normal) <= step_.rest_speed;
 }
@@ -208,7 +208,7 @@ std::optional<double> ContactImpacts::time_of_impact(const World& world, const C
     const Vec2 chord = paths_.chord_velocity(pair.a, now);
     const double radius = bodies_.radius[pair.a];
     const auto allowed_overlap = [&](Vec2 other_velocity) {
-        return is_soft(pair, other_velocity, now) ? soft_bound(step_, bodies_, pair) : 0.0;
+        return is_soft(pair, other_velocity, now) ? soft_bound(step_, pair) : 0.0;
     };
     std::optional<Impact> impact;
     if (bodies_.is_ball(pair.b)) {

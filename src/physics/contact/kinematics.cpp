@@ -121,7 +121,7 @@ void ContactKinematics::settle_jams(ContactPairs& pairs, ContactBodies& bodies,
     jammed_.clear();
     is_jammed_.assign(bodies.fixed, 0);
     const auto jam = [&](const ContactPair& pair, std::uint32_t body) {
-        if (pair.separation > contact_tolerance::kinematic_overlap * smaller_radius(bodies, pair) ||
+        if (pair.separation > contact_tolerance::kinematic_overlap * pair.radius ||
             bodies.is_kinematic(body) || is_jammed_[body])
             return;
         is_jammed_[body] = 1;

@@ -67,6 +67,8 @@ ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodie
     ContactPair pair{.a = near.a,
                      .b = b,
                      .mass = inverse > 0.0 ? 1.0 / inverse : 0.0,
+                     .radius = bodies.is_ball(b) ? std::min(bodies.radius[near.a], bodies.radius[b])
+                                                 : bodies.radius[near.a],
                      .edge = near.edge,
                      .across = near.across,
                      .along = near.along,

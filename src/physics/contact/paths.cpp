@@ -186,7 +186,7 @@ void ContactPaths::freeze_at(std::uint32_t body, Vec2 normal, double now) {
 // has not felt what pushed the other one away from it: where the two separate faster than resting
 // contact does, that impulse would push again in the next substep. Where they do not, it is a load
 // that one of them still carries.
-void ContactPaths::reverse_undelivered_impulses(std::span<ContactConstraint> constraints) const {
+void ContactPaths::reverse_undelivered_impulses(std::span<const std::uint32_t> constraints) const {
     struct Share {
         double friction = 1.0;
         double impulse = 1.0;
@@ -199,11 +199,13 @@ void ContactPaths::reverse_undelivered_impulses(std::span<ContactConstraint> con
     const auto velocity_then = [&](std::uint32_t body) {
         return has_path(body) ? velocity_at(body, step_.duration) : bodies_.body[body].velocity;
     };
-    for (ContactConstraint& constraint : constraints) {
+    for (const std::uint32_t p : constraints) {
+        ContactPair& constraint = pairs_[p];
         if (constraint.b == bodies_.fixed && has_path(constraint.a) &&
             (*this)[constraint.a].rolls_on) {
-            // It has left this piece of the curve with all of the impulse.
-            constraint.mass = constraint.impulse = constraint.tangential_impulse = 0.0;
+            // It has left this piece of the curve with all of the impulse, and meets it no more.
+            constraint.normal = {};
+            constraint.impulse = constraint.tangential_impulse = 0.0;
             continue;
         }
         const Share a = given(constraint.a);
@@ -219,7 +221,7 @@ void ContactPaths::reverse_undelivered_impulses(std::span<ContactConstraint> con
     }
 }
 
-void ContactPaths::finish(const World& world, std::span<ContactConstraint> constraints) {
+void ContactPaths::finish(const World& world, std::span<const std::uint32_t> constraints) {
     reverse_undelivered_impulses(constraints);
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
         if (!has_path(i) || (*this)[i].version == 0) bodies_.position[i] += bodies_.displacement[i];

@@ -24,8 +24,8 @@ double energy_before(const ContactSubstep& step, const ContactBodies& bodies, st
 
 // Constraints move balls before they are relaxed: one that has given its impulse back has still
 // moved its bodies.
-bool has_pressed(const ContactConstraint& constraint) {
-    return constraint.has_pressed || constraint.impulse > 0.0;
+bool has_pressed(const ContactPair& pair) {
+    return pair.has_pressed || pair.impulse > 0.0;
 }
 
 }  // namespace
@@ -51,11 +51,11 @@ void PressGroup::join(const PressGroup& other) {
     is_embedded = is_embedded || other.is_embedded;
 }
 
-void PressGroups::find(std::span<const ContactConstraint> constraints) {
+void PressGroups::find(std::span<const std::uint32_t> constraints) {
     if (found_.empty()) {
         join_balls(constraints);
         number_groups();
-        mark(constraints);
+        mark();
         mark_hinged();
     }
     groups_ = found_;
@@ -69,7 +69,7 @@ std::uint32_t PressGroups::first_of(std::uint32_t ball) {
     return ball;
 }
 
-void PressGroups::join_balls(std::span<const ContactConstraint> constraints) {
+void PressGroups::join_balls(std::span<const std::uint32_t> constraints) {
     earlier_.resize(bodies_.fixed);
     std::iota(earlier_.begin(), earlier_.end(), 0U);
     state_.resize(bodies_.fixed);
@@ -79,10 +79,10 @@ void PressGroups::join_balls(std::span<const ContactConstraint> constraints) {
     // Embedded balls are further in one another than this, at least.
     const double embedded = -contact_tolerance::embedded * contact_tolerance::overlap_limit *
                             bodies_.smallest_radius * step_.softness.push;
-    for (std::uint32_t k = 0; k < constraints.size(); ++k) {
-        const ContactConstraint& constraint = constraints[k];
+    for (const std::uint32_t p : constraints) {
+        const ContactPair& constraint = pairs_[p];
         const bool is_free = is_free_ball(constraint.a) && is_free_ball(constraint.b);
-        if (!is_free || constraint.target < embedded) others_.push_back(k);
+        if (!is_free || constraint.target < embedded) others_.push_back(p);
         // Also what overlaps and does not press.
         const bool presses = has_pressed(constraint);
         if (!is_free || !(presses || constraint.target <= 0.0)) continue;
@@ -111,14 +111,13 @@ void PressGroups::number_groups() {
 }
 
 // What constraints other than those of two free balls say of a group, and embedded balls.
-void PressGroups::mark(std::span<const ContactConstraint> constraints) {
-    for (const std::uint32_t k : others_) {
-        const ContactConstraint& constraint = constraints[k];
-        const ContactPair& pair = pairs_[constraint.pair];
-        const bool is_a = is_free_ball(constraint.a);
-        if (is_a && is_embedded(bodies_, pair)) found_[group_[constraint.a]].is_embedded = true;
-        if (!has_pressed(constraint) || is_a == is_free_ball(constraint.b)) continue;
-        PressGroup& group = found_[group_[is_a ? constraint.a : constraint.b]];
+void PressGroups::mark() {
+    for (const std::uint32_t p : others_) {
+        const ContactPair& pair = pairs_[p];
+        const bool is_a = is_free_ball(pair.a);
+        if (is_a && is_embedded(bodies_, pair)) found_[group_[pair.a]].is_embedded = true;
+        if (!has_pressed(pair) || is_a == is_free_ball(pair.b)) continue;
+        PressGroup& group = found_[group_[is_a ? pair.a : pair.b]];
         group.is_pressed = group.is_supported = true;
         group.stays = group.stays || pair.is_kinematic;
     }

@@ -51,7 +51,7 @@ class PressGroups {
     void forget() { found_.clear(); }
     /// Finds the groups, unless they are known, and sums up what they have in this substep. A ball
     /// that touches nothing is a group by itself.
-    void find(std::span<const ContactConstraint> constraints);
+    void find(std::span<const std::uint32_t> constraints);
     /// Joins groups until each can go back without a ball of it going deeper into a ball of another
     /// group, which has followed it into the room that it left. Two such groups go back together,
     /// or neither does if one of the two balls is fast.
@@ -80,9 +80,9 @@ class PressGroups {
         return bodies_.is_ball(body) && state_[body] != State::kinematic;
     }
     std::uint32_t first_of(std::uint32_t ball);
-    void join_balls(std::span<const ContactConstraint> constraints);
+    void join_balls(std::span<const std::uint32_t> constraints);
     void number_groups();
-    void mark(std::span<const ContactConstraint> constraints);
+    void mark();
     void mark_hinged();
     void sum_up();
     std::uint32_t largest() const;

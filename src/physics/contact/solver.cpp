@@ -107,7 +107,7 @@ void ContactSolver::substep(World& world, double share_of_displacement,
         constraints_.solve(round % 2 == 0);
     const bool has_impacts = impacts_.find();
     if (has_impacts)
-        impacts_.run(world, constraints_.all(), hinges_, contacts);
+        impacts_.run(world, classification_.constraints(), hinges_, contacts);
     else
         advance_positions(world);
     constraints_.relax(impacts_.most_push(), has_impacts);
@@ -116,7 +116,7 @@ void ContactSolver::substep(World& world, double share_of_displacement,
         kinematics_.note_pressing(pairs_, bodies_, step_);
         kinematics_.settle_jams(pairs_, bodies_, step_);
     }
-    energy_.end_substep(constraints_.all(), impacts_.of_balls(),
+    energy_.end_substep(classification_.constraints(), impacts_.of_balls(),
                         impacts_.given() + kinematics_.work(pairs_, bodies_) + hinges_.given());
     kinematics_.end_substep(world, step_);
 }

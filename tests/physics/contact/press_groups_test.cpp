@@ -13,7 +13,7 @@ namespace {
 // upper one has just been lifted by 0.1, as a constraint with the floor does it.
 struct LiftedBall : SubstepParts {
     PressGroups groups{step, bodies, pairs};
-    ContactConstraint floor;
+    std::uint32_t floor = 0;  // the constraint that lifted it, by pair
     std::uint32_t upper = 0;
     std::uint32_t lower = 0;
 
@@ -30,7 +30,8 @@ struct LiftedBall : SubstepParts {
         bodies.displacement.assign(bodies.body.size(), {});
         bodies.displacement[upper] = {0.0, 0.1};
         bodies.displacement[lower] = {0.0, rise_of_lower};
-        floor = {.a = upper, .b = bodies.fixed, .target = 0.0, .impulse = 1.0};
+        floor = pairs.size();
+        pairs.all().push_back(ContactPair{.a = upper, .b = bodies.fixed, .impulse = 1.0});
     }
 
     std::uint32_t body_of(std::uint32_t ball) const {
@@ -80,8 +81,8 @@ TEST_CASE("press groups: groups last until they are forgotten, their sums for a 
     scene.find();
     scene.bodies.displacement[scene.lower] = {};
     scene.bodies.position[scene.lower] = {0.0, 0.3};
-    scene.floor.impulse = 0.0;
-    scene.floor.target = 1.0;
+    scene.pairs[scene.floor].impulse = 0.0;
+    scene.pairs[scene.floor].target = 1.0;
     scene.find();
     CHECK(scene.groups.is_pressed(scene.upper));
     CHECK_FALSE(scene.are_joined());
