@@ -61,15 +61,19 @@ struct ToiTolerance {
 /// few values of m and takes the best.
 ///
 /// Bodies that part reach their distance again after 2 v / bound. Bodies that overlap by more than
-/// `slop` meet earlier if they get out of one another: where they touch on the way back.
+/// `slop` meet earlier if they get out of one another: where they touch on the way back. An
+/// acceleration below the bound may let them out where the bound would not. The one that just lets
+/// them out brings them back the soonest: after 2 depth / v.
 template <typename Real>
 Real touching_step(const Separation<Real>& now, const Real& acceleration_bound,
                    const Real& rest_speed, const Real& slop) {
     const auto until_approach = [&](const Real& against) {
         if (!(now.velocity > rest_speed)) return (now.velocity + rest_speed) / against;
+        const Real back = Real(2.0) * now.velocity / against;
+        if (!(now.distance < -Real(4.0) * slop)) return back;
         const Real outside = now.velocity * now.velocity + Real(2.0) * against * now.distance;
-        const bool gets_out = now.distance < -Real(4.0) * slop && outside > Real{};
-        return (now.velocity + (gets_out ? square_root(outside) : now.velocity)) / against;
+        if (outside > Real{}) return (now.velocity + square_root(outside)) / against;
+        return std::min(back, Real(-2.0) * now.distance / now.velocity);
     };
     Real best = until_approach(acceleration_bound);
     if (!(now.center_distance > Real{})) return best;

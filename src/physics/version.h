@@ -53,6 +53,7 @@ namespace carom {
 /// - `contact`: an edge that is about to hit a ball is not held back, so it hits at its full speed.
 /// - Contacts that last: the fastest of an impact sets the steps, not the first, and one that would
 ///   press by less than rounding takes no time.
+/// - `event`: a ball that gets out of a body that it started in does not enter it again unseen.
 /// - `swept`: a ball that rises with the ball on which it rests pays for the height.
 /// - Pinball: the ball saver and timers stand while the only ball waits at the plunger.
 inline constexpr int physics_version = 4;

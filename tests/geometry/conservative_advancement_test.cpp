@@ -288,3 +288,25 @@ TEST_CASE("time of impact: bodies that get out of one another meet where they to
     const double expected = (speed + std::sqrt(speed * speed - 2.0 * bound * depth)) / bound;
     CHECK(*found == doctest::Approx(expected).epsilon(1e-9));
 }
+
+// Regression: the bound would not let them out, so the search went on to where they would be as
+// deep again, past the impact.
+TEST_CASE("time of impact: bodies get out of one another where the bound would not let them out") {
+    const double depth = 0.12;
+    const double speed = 67.0;
+    const double slowing = 18'000.0;
+    for (const double bound : {18'000.0, 18'500.0, 20'000.0, 30'000.0, 100'000.0}) {
+        CAPTURE(bound);
+        const auto separation_at = [&](double t) {
+            return Separation<double>{-depth + speed * t - 0.5 * slowing * t * t,
+                                      speed - slowing * t, -slowing};
+        };
+        ToiSearch<double> search;
+        const auto found =
+            first_time_of_impact<double>(separation_at, 0.0, 1.0, bound, tolerance, search);
+        REQUIRE(found);
+        const double expected =
+            (speed + std::sqrt(speed * speed - 2.0 * slowing * depth)) / slowing;
+        CHECK(*found == doctest::Approx(expected).epsilon(1e-9));
+    }
+}
