@@ -200,7 +200,8 @@ std::optional<Breach> InvariantCheck::check_sides(const World& world,
             const Capsule& edge = edges.shape[e];
             if (!are_on_two_sides(from, to, edge.start, edge.end) ||
                 !are_on_two_sides(edge.start, edge.end, from, to) ||
-                !is_wall(world, e, balls.kind[i]))
+                !is_wall(world, e, balls.kind[i]) ||
+                is_exempt({number(balls.id[i]), edge_mark + number(edges.id[e])}))
                 continue;
             const double detour = std::min(length(from - edge.start) + length(to - edge.start),
                                            length(from - edge.end) + length(to - edge.end));

@@ -31,7 +31,8 @@ namespace carom {
 ///   side      the centre of no ball has crossed the spine of a fixed edge that is solid on both
 ///             sides, unless it can have gone round an end: the chord of the tick is tested, and
 ///             the way round an end compared with twice the ball's speed, which is at least that
-///             after each of its contacts in the tick: light balls between heavy ones are fast
+///             after each of its contacts in the tick: light balls between heavy ones are fast. A
+///             ball that starts inside an edge has no side of it until it has separated
 ///   escape    no ball is outside of an outline in which it started (EscapeWatch), as long as all
 ///             of the outlines' edges are where they were, and stop all balls from both sides
 ///   overlap   no two bodies that collide overlap deeper than the solver promises, and than the
