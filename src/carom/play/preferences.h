@@ -65,7 +65,7 @@ std::string text_of(const KeyRepeatTimes& times);
 std::optional<std::string> preferences_path();
 
 /// Writes one setting into the user's file and returns the error, if any. A file that cannot be
-/// read is left alone. For a user without such a folder, does nothing.
+/// read is left alone. A user without such a folder is an error too.
 std::optional<std::string> write_preference(std::string_view name, std::string_view value);
 
 }  // namespace carom

@@ -339,11 +339,11 @@ TEST_CASE("the key for themes goes to each that looks different on this terminal
 
 TEST_CASE("preferences that cannot be written are reported once, and the game continues") {
     const Home home;
-    const auto is_told = [&] {
+    const auto is_told = [&](const std::string& why) {
         Running running(playing("test.level"));
         REQUIRE_FALSE(running.program.start());
         running.key(U'm');
-        const bool told = running.sees("such choices are not kept: cannot");
+        const bool told = running.sees("such choices are not kept: " + why);
         // A message's time begins with the first step after it came up.
         running.pass(0.1);
         running.pass(60.0);
@@ -353,12 +353,19 @@ TEST_CASE("preferences that cannot be written are reported once, and the game co
         return told;
     };
     std::ofstream(home.path / "config") << "in the way";
-    CHECK(is_told());
+    CHECK(is_told("cannot"));
     // A file that cannot be read is not overwritten either.
     fs::remove(home.path / "config");
     fs::create_directories(home.preferences());
-    CHECK(is_told());
+    CHECK(is_told("cannot"));
     CHECK(fs::is_directory(home.preferences()));
+    // So is one that has no place.
+    ::unsetenv("XDG_CONFIG_HOME");
+    const char* const place = std::getenv("HOME");
+    const std::string before = place ? place : "";
+    ::unsetenv("HOME");
+    CHECK(is_told("HOME is not set"));
+    if (place) ::setenv("HOME", before.c_str(), 1);
 }
 
 TEST_CASE("found 17: what the view of one level shows stays in that level") {
