@@ -37,6 +37,10 @@ PlayContext::PlayContext(Session game, const ViewOptions& options, KeyMap key_ma
         [observer = observation](const Session& now) { observer->note_tick(now); });
 }
 
+PlayContext::PlayContext(PlayContext&& other) noexcept = default;
+PlayContext& PlayContext::operator=(PlayContext&& other) noexcept = default;
+PlayContext::~PlayContext() = default;
+
 void say(PlayContext& play, std::string message, std::optional<Vec2> place) {
     play.messages.say(std::move(message), place);
     play.needs_draw = true;

@@ -69,6 +69,10 @@ struct TerminalState {
 
 struct PlayContext {
     PlayContext(Session session, const ViewOptions& view, KeyMap keys, bool solver_is_picked);
+    // Defined in play_context.cpp: the code for so many members is then compiled once.
+    PlayContext(PlayContext&& other) noexcept;
+    PlayContext& operator=(PlayContext&& other) noexcept;
+    ~PlayContext();
 
     Session session;
     LevelWords words;  ///< the level's own

@@ -45,6 +45,10 @@ Session::Session(Scene scene, const SolverSettings& solver, std::size_t rewind_b
       history_(rewind_bytes),
       rewind_bytes_(rewind_bytes) {}
 
+Session::Session(Session&& other) noexcept = default;
+Session& Session::operator=(Session&& other) noexcept = default;
+Session::~Session() = default;
+
 std::optional<std::string> Session::apply(const Command& command) {
     if (is_following_) return "this is a recording, which is only watched";
     if (auto why_not = refusal(scene_, world_, game_, command)) return why_not;

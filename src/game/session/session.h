@@ -38,6 +38,10 @@ class Session {
     /// Pre: solver.kind is one of solvers_available().
     Session(Scene scene, const SolverSettings& solver,
             std::size_t rewind_bytes = default_rewind_bytes);
+    // Defined in session.cpp: the code for so many members is then compiled once.
+    Session(Session&& other) noexcept;
+    Session& operator=(Session&& other) noexcept;
+    ~Session();
 
     const Scene& scene() const { return scene_; }
     const World& world() const { return world_; }

@@ -82,6 +82,14 @@ struct Include {
 };
 
 struct Scene {
+    // Defined in scene.cpp: the code for so many members is then compiled once.
+    Scene();
+    Scene(const Scene& other);
+    Scene(Scene&& other) noexcept;
+    Scene& operator=(const Scene& other);
+    Scene& operator=(Scene&& other) noexcept;
+    ~Scene();
+
     std::string file;
     std::string title;  ///< safe to print on a terminal, like the comment
     /// The comment at the top of the file, without its marks and common indentation. It says what

@@ -68,6 +68,13 @@ void become_inelastic(World& world) {
     world.edit_balls().restitution.assign(world.balls().size(), 1.0);
 }
 
+World::World() = default;
+World::World(const World& other) = default;
+World::World(World&& other) noexcept = default;
+World& World::operator=(const World& other) = default;
+World& World::operator=(World&& other) noexcept = default;
+World::~World() = default;
+
 Definition& World::edit_definition() {
     stamps_.definition = new_stamp();
     return definition_;

@@ -35,6 +35,15 @@ namespace carom {
 /// a tick or a copy: what is written later has no new stamp.
 class World {
   public:
+    // Defined in world.cpp: the code for so many members is then compiled once, not wherever a
+    // world is made or copied.
+    World();
+    World(const World& other);
+    World(World&& other) noexcept;
+    World& operator=(const World& other);
+    World& operator=(World&& other) noexcept;
+    ~World();
+
     const Definition& definition() const { return definition_; }
     const Model& model() const { return definition_.model; }
     std::uint64_t seed() const { return definition_.seed; }
