@@ -187,8 +187,8 @@ TEST_CASE("every table that ships has two inlanes") {
 TEST_CASE("a ball let go in an inlane rolls down guide and flipper to its tip, without a jump") {
     on_each_lane([](const Scene& scene, const Inlane& lane) {
         double farthest = 0.0;
-        for (const Vec2 start : lane.starts) {
-            FlipperBench bench(scene, lane, start);
+        for (std::size_t i = 0; i < lane.starts.size(); i += has_sanitizers ? 4 : 1) {
+            FlipperBench bench(scene, lane, lane.starts[i]);
             bool has_touched = false;
             while (bench.time() < 4.0 && bench.along() < 1.0) {
                 bench.tick();
@@ -204,7 +204,7 @@ TEST_CASE("a ball let go in an inlane rolls down guide and flipper to its tip, w
 TEST_CASE("trap: a raised flipper holds a ball from the inlane, and lets it roll off") {
     on_each_lane([](const Scene& scene, const Inlane& lane) {
         double slowest = 0.0;
-        for (std::size_t i = 0; i < lane.starts.size(); i += 3) {
+        for (std::size_t i = 0; i < lane.starts.size(); i += has_sanitizers ? 6 : 3) {
             FlipperBench bench(scene, lane, lane.starts[i]);
             bench.settle_flipper(true);
             double touched = -1.0;

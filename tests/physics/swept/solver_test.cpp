@@ -132,10 +132,11 @@ TEST_CASE("balls of a gas neither overlap nor leave it") {
 }
 
 TEST_CASE("a heap comes to rest without sinking into itself, and never gains energy") {
+    const std::size_t count = has_sanitizers ? 50 : 150;
     for (const double restitution : {0.0, 0.3, 0.8}) {
         if (has_sanitizers && restitution != 0.3) continue;  // slow
         CAPTURE(restitution);
-        World world = scenes::bucket(150, restitution);
+        World world = scenes::bucket(count, restitution);
         Solver solver({.kind = SolverKind::swept});
         double before = 1e300;
         double most_gain = 0.0;
@@ -148,7 +149,7 @@ TEST_CASE("a heap comes to rest without sinking into itself, and never gains ene
         }
         CHECK(totals(world).kinetic_energy < 0.05);
         CHECK(deepest_overlap(world) < 1e-9);
-        CHECK(world.balls().size() == 150);
+        CHECK(world.balls().size() == count);
         // An impact may be a little early or late on its parabola: see the header.
         CHECK(most_gain < 1e-2);
     }
@@ -236,7 +237,8 @@ TEST_CASE("a closing edge squeezes balls without losing one, and yields if there
         add_ball(world, {.position = {1.2 + 2.2 * (i % 5), 1.2 + 2.2 * (i / 5)}, .velocity = {}});
     Solver solver({.kind = SolverKind::swept});
     double fastest = 0.0;
-    for (int i = 0; i < 600; ++i) {
+    // The balls stop the edge in tick 170, and the hand pulls on.
+    for (int i = 0; i < (has_sanitizers ? 240 : 600); ++i) {
         const double x = std::max(1.0, 19.0 - i * 0.05);
         world.edit_held_capsules() = {{lid, {x, -2}, {x, 12}}};
         solver.tick(world);
