@@ -87,14 +87,15 @@ void SweptSolver::predict_after(const World& world, const SweptEvent& event,
 std::uint64_t SweptSolver::charge(World& world, const SweptEvent& event) {
     const std::uint64_t work = prediction_.take_tests() + swept_tolerance::work_of_impact;
     if (!budget_.spend(work)) return work;
-    for (const std::uint32_t ball : {event.ball, event.other}) {
-        if (ball == event.other && event.kind != ContactKind::ball_ball) break;
-        if (!budget_.charge(ball, work) || paths_[ball].is_frozen) continue;
+    const auto charge_ball = [&](std::uint32_t ball) {
+        if (!budget_.charge(ball, work) || paths_[ball].is_frozen) return;
         paths_.stand_still(world, ball, event.time);
         const bool is_first = paths_.redirect(world, ball, event.time, {});
         candidates_.note_change(world, ball, event.time, is_first);
         prediction_.predict(world, ball, event.time);
-    }
+    };
+    charge_ball(event.ball);
+    if (event.kind == ContactKind::ball_ball) charge_ball(event.other);
     return work;
 }
 
