@@ -10,8 +10,9 @@
 namespace carom {
 namespace {
 
-// More accuracy is worth this factor in cost, but no more.
-constexpr double worth = 1.5;
+// More accuracy is worth a factor of 1.5 in cost, and no more. Where balls come to rest, estimates
+// between 1.2 and 1.6 are too low by 13 % on average: 1.5 needs an estimate of at most this.
+constexpr double worth = 1.3;
 
 struct Candidate {
     SolverSettings settings;

@@ -51,6 +51,12 @@ TEST_CASE("auto takes contact for a hopper of 150 balls, not only for 400") {
     CHECK(kind_for(falling(150, 40.0, 0.99)) == SolverKind::event);
 }
 
+// Estimated at 1.4 times the cost of contact, which estimates cannot tell from 1.5.
+TEST_CASE("auto takes event only where its cost is below the limit by a margin") {
+    CHECK(kind_for(falling(64, 100.0, 0.6)) == SolverKind::contact);
+    CHECK(kind_for(falling(40, 100.0, 0.6)) == SolverKind::event);
+}
+
 TEST_CASE("auto takes swept where event cannot foresee impacts cheaply") {
     World gas = scenes::gas(100, 1);
     gas.edit_definition().model.drag = 0.1;
