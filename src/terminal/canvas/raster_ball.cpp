@@ -55,7 +55,8 @@ Extent extent_of(double center, double diameter, bool is_snapped, bool is_sharp,
                 whole += diameter >= whole || whole < 2.0 ? 1.0 : -1.0;
         }
         const double first = std::round(center - 0.5 * whole);
-        if (is_sharp || diameter < most_whole) extent.size = whole;
+        if (is_sharp || diameter < (is_under_number ? least_three : most_whole))
+            extent.size = whole;
         extent.first = first + 0.5 * (whole - extent.size);
     }
     const double most = count;

@@ -313,6 +313,23 @@ TEST_CASE("a ball of three or four pixels has no faint rim in half blocks") {
     }
 }
 
+TEST_CASE("a ball of four pixels is as wide as it is high, with one digit on it and with two") {
+    for (const int digits : {0, 1, 2}) {
+        CAPTURE(digits);
+        Raster raster(half_block_renderer(), 20, 10, 2.0);
+        raster.ball({10.3, 9.4}, 1.98, {.number_width = digits});
+        double across_middle = 0.0;
+        for (int across = 0; across < raster.samples_across(); ++across) {
+            int most = 0;
+            for (int down = 0; down < raster.samples_down(); ++down)
+                most = std::max<int>(most, raster.level_at(across, down));
+            across_middle += most / 255.0;
+        }
+        CHECK(across_middle > 3.6);
+        CHECK(across_middle < 4.4);
+    }
+}
+
 TEST_CASE("shapes outside, huge or not finite paint nothing wrong") {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double nan = std::nan("");
