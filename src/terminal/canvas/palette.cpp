@@ -270,6 +270,12 @@ Color text_color_on(Color color, const Look& look) {
     return is_dark ? white : black;
 }
 
+Ink strong_text_on(Color color, const Look& look) {
+    const Color text = text_color_on(color, look);
+    constexpr Color black = 0;
+    return {text, text == black ? plain : bold};
+}
+
 Color ground_color(const Look& look) {
     if (look.ground) return color_for_terminal(direct_color(*look.ground), look.colors);
     return palette_of(look).ground;

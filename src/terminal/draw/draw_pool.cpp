@@ -276,9 +276,9 @@ void write_numbers(Canvas& canvas, const View& view) {
             dark.light_background = false;
             dark.ground.reset();
         }
-        const Color ink =
-            is_white && look.has_shades() ? dimmed(own, legible, dark) : text_color_on(color, look);
-        canvas.write(first, row, text, ink, color, bold);
+        const Ink ink = is_white && look.has_shades() ? Ink{dimmed(own, legible, dark), bold}
+                                                      : strong_text_on(color, look);
+        canvas.write(first, row, text, ink.color, color, ink.attributes);
     }
 }
 

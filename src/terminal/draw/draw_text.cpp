@@ -62,7 +62,9 @@ void write_on_ball(Canvas& canvas, const CellArea& area, CellPlace at, std::stri
         Cell& cell = canvas.at(column, at.row);
         if (look.has_colors()) {
             cell.background = below.foreground;
-            cell.foreground = text_color_on(cell.background, look);
+            const Ink strong = strong_text_on(cell.background, look);
+            cell.foreground = strong.color;
+            if (strong.attributes == plain) cell.attributes &= static_cast<std::uint8_t>(~bold);
         } else {
             cell.attributes = reverse;
         }

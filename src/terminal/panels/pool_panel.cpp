@@ -30,8 +30,8 @@ int write_ball(Canvas& canvas, int column, int row, int number, const Look& look
     const Color own = ink_of_pool_ball(number, look).color;
     const bool is_striped = number > 8;
     const Color ground = is_striped ? ink_of(Role::stripe_white, look).color : own;
-    return canvas.write(column, row, text, is_striped ? own : text_color_on(own, look), ground,
-                        bold);
+    const Ink ink = is_striped ? Ink{own, bold} : strong_text_on(own, look);
+    return canvas.write(column, row, text, ink.color, ground, ink.attributes);
 }
 
 // From the middle of the ball to its rim, the tip moves further than to scale: so it shows.

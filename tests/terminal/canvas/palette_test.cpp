@@ -170,6 +170,10 @@ TEST_CASE("text on a colour is black or white, whichever is legible") {
     CHECK(rgb_of(text_color_on(18, {})) == Rgb{255, 255, 255});
     CHECK(text_color_on(4, {.colors = 8}) == 7);
     CHECK(text_color_on(3, {.colors = 8}) == 0);
+    // Bold black would be grey.
+    CHECK(strong_text_on(3, {.colors = 8}).attributes == plain);
+    CHECK(strong_text_on(4, {.colors = 8}).attributes == bold);
+    CHECK(strong_text_on(226, {}).attributes == bold);
 }
 
 TEST_CASE("a theme is chosen by name") {

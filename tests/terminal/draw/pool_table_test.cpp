@@ -187,3 +187,23 @@ TEST_CASE("pool table: one without pockets has diamonds too, if it is as long as
     CHECK(diamonds("200,100") == 20);
     CHECK(diamonds("200,60") == 0);
 }
+
+TEST_CASE("pool table: with few colours no number is bold black, which terminals show as grey") {
+    const Scene scene = table_with_jaws("ball a at=100,50 r=2\nball b at=150,30 r=2\n");
+    Annotations annotations = numbered_balls(scene);
+    annotations.pool->numbers[1].number = 1;
+    annotations.pool->numbers[2].number = 9;
+    for (const int colors : {8, 16}) {
+        CAPTURE(colors);
+        const PixelPicture picture = pixels_of(scene, look_with(colors), annotations, 110, 36);
+        int numbers = 0;
+        for (int row = 0; row < 36; ++row)
+            for (int column = 0; column < 110; ++column) {
+                const Cell& cell = picture.canvas.at(column, row);
+                if (cell.glyph != U'1' && cell.glyph != U'9') continue;
+                ++numbers;
+                CHECK_FALSE((cell.foreground == 0 && (cell.attributes & bold) != 0));
+            }
+        CHECK(numbers == 2);
+    }
+}
