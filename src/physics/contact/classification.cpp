@@ -98,10 +98,14 @@ void ContactClassification::count_contacts(bool is_reloaded) {
     contacts_on_.clear();
     if (!pairs_.any_inelastic() || step_.gravity == Vec2{}) return;
     contacts_on_.assign(bodies_.body.size(), 0);
+    // Without branches, since no processor foresees which pairs press.
     const auto count = [&](const ContactPair& pair) {
-        if (!(pair.impulse > 0.0)) return;
-        for (const std::uint32_t body : {pair.a, pair.b})
-            if (contacts_on_[body] < contact_tolerance::enclosed_contacts) ++contacts_on_[body];
+        const bool presses = pair.impulse > 0.0;
+        for (const std::uint32_t body : {pair.a, pair.b}) {
+            std::uint8_t& contacts = contacts_on_[body];
+            contacts += static_cast<std::uint8_t>(
+                presses & (contacts < contact_tolerance::enclosed_contacts));
+        }
     };
     if (is_reloaded)
         for (const ContactPair& pair : pairs_.all())
@@ -168,10 +172,11 @@ inline ContactState ContactClassification::state_of(const World& world,
     if (pair.bounces && !pushed) {
         if (step_.rest_speed == 0.0) return approach > 0.0 ? ccd : idle;
         // Bodies that overlap meet at once, before gravity has made the approach any faster.
-        const bool stays =
-            pair.separation < 0.0 &&
-            (pair.impulse > 0.0 || -dot(without_fall, pair.normal) < step_.rest_speed);
-        if (approach >= step_.rest_speed && !stays && !is_enclosed(pair)) return ccd;
+        const auto stays = [&] {
+            return pair.separation < 0.0 &&
+                   (pair.impulse > 0.0 || -dot(without_fall, pair.normal) < step_.rest_speed);
+        };
+        if (approach >= step_.rest_speed && !stays() && !is_enclosed(pair)) return ccd;
     }
     if (terms.special() && world.model().one_way && pair.is_on_edge() &&
         world.capsules().side[pair.edge] != Side::both) {
