@@ -47,12 +47,7 @@ Overrides::Overrides(const std::vector<std::string>& statements, SourceStore& st
         }
         const Node& node = nodes.front();
         if (node.statement->name == "let") {
-            let_nodes_.push_back(&node);
-            for (const Word& word : node.rest()) {
-                const std::size_t equals = word.text.find('=');
-                if (equals == std::string_view::npos) continue;
-                lets_[std::string(word.text.substr(0, equals))] = word.part(equals + 1);
-            }
+            add_lets(node, reporter);
             continue;
         }
         const std::string key = setting(node);
@@ -64,6 +59,23 @@ Overrides::Overrides(const std::vector<std::string>& statements, SourceStore& st
         }
         statements_[key] = &node;
     }
+}
+
+void Overrides::add_lets(const Node& node, Reporter& reporter) {
+    if (node.rest().empty())
+        reporter.error("let-without-name", node.keyword().span(), "let names nothing",
+                       "write it as: let NAME=NUMBER ...");
+    for (const Word& word : node.rest()) {
+        const std::size_t equals = word.text.find('=');
+        if (equals == std::string_view::npos) {
+            reporter.error("let-without-value", word.span(),
+                           fmt::format("'{}' has no value", word.text),
+                           "write let NAME=NUMBER without spaces");
+            return;
+        }
+        lets_[std::string(word.text.substr(0, equals))] = word.part(equals + 1);
+    }
+    let_nodes_.push_back(&node);
 }
 
 const Node* Overrides::replacement(const Node& node) {

@@ -24,6 +24,8 @@ class Overrides {
     std::vector<const Node*> unused() const;
 
   private:
+    void add_lets(const Node& node, Reporter& reporter);
+
     std::map<std::string, const Node*> statements_;  ///< by setting
     std::map<std::string, Word, std::less<>> lets_;
     std::vector<const Node*> let_nodes_;

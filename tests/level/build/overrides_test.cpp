@@ -70,6 +70,22 @@ TEST_CASE("diagnostics name --set as their source") {
     CHECK(with("", {"rate 5\nrate 6"}).diagnostics.size() == 1);
 }
 
+// They were ignored.
+TEST_CASE("--set takes no let without a name or a value") {
+    const auto codes = [](const std::string& statement) {
+        std::vector<FaultCode> found;
+        for (const Diagnostic& each : with("let a=3\nedge 0,0 a,0\n", {statement}).diagnostics)
+            found.push_back(each.code);
+        return found;
+    };
+    CHECK(codes("let a=4").empty());
+    CHECK(codes("let") == std::vector<FaultCode>{"let-without-name"});
+    for (const char* const statement : {"let a", "let a 4", "let a = 4", "let a=4 b"}) {
+        CAPTURE(statement);
+        CHECK(codes(statement) == std::vector<FaultCode>{"let-without-value"});
+    }
+}
+
 TEST_CASE("options take precedence over the file, and count as overrides where they differ") {
     const auto overridden = [](const LoadOptions& options) {
         return load_lines("rate 60\nseed 5\nsolver discrete\n", options).scene.value().overridden;
