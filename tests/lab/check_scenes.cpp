@@ -59,9 +59,14 @@ int main(int argc, char** argv) {
                 std::string(argv[4]) + "/" + std::to_string(number) + "-" + solver;
             write(path + ".level", fuzzed.text);
             write(path + ".commands", run.commands);
+            // With the settings of the level's solver, which --solver would not keep.
+            SolverSettings settings = fuzzed.scene->solver.value_or(SolverSettings{});
+            settings.kind = kind;
             std::cout << "carom run " << path << ".level --commands " << path
-                      << ".commands --solver " << solver << " --check --ticks " << run.ticks
-                      << "\n    " << text(*run.breach, fuzzed.scene->world.rate()) << '\n'
+                      << ".commands --set 'solver "
+                      << settings_text(settings, SettingsText::unusual) << "' --check --ticks "
+                      << run.ticks << "\n    " << text(*run.breach, fuzzed.scene->world.rate())
+                      << '\n'
                       << std::flush;
         }
     }
