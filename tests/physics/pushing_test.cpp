@@ -184,10 +184,10 @@ TEST_CASE("a hand lifts a pile") {
 }
 
 TEST_CASE("swept: random pushes") {
-    check_pushes(of_swept, 0, has_sanitizers ? 4 : 16);
+    check_pushes(of_swept, 0, has_sanitizers ? 2 : 16);
 }
 TEST_CASE("event: random pushes") {
-    check_pushes(of_event, 0, has_sanitizers ? 4 : 16);
+    check_pushes(of_event, 0, has_sanitizers ? 2 : 16);
 }
 // Regression: `contact` reported a constraint once, when it began to press.
 TEST_CASE("contact: what it reports of a push is what the ball has gained") {
