@@ -51,12 +51,13 @@ namespace carom {
 /// - `event`: balls come to rest in every scene that loses energy, whether by restitution, slip,
 ///   drag or a stop speed.
 /// - `contact`: an edge that is about to hit a ball is not held back, so it hits at its full speed.
+/// - Pinball: the ball saver and timers stand while the only ball waits at the plunger.
+/// 5:
 /// - Contacts that last: the fastest of an impact sets the steps, not the first, and one that would
 ///   press by less than rounding takes no time.
 /// - `event`: a ball that gets out of a body that it started in does not enter it again unseen.
 /// - `swept`: the budget of work counts for a ball that has the number of the edge that it meets.
 /// - `swept`: a ball that rises with the ball on which it rests pays for the height.
-/// - Pinball: the ball saver and timers stand while the only ball waits at the plunger.
-inline constexpr int physics_version = 4;
+inline constexpr int physics_version = 5;
 
 }  // namespace carom

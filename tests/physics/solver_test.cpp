@@ -136,6 +136,43 @@ TEST_CASE("a world gives the same bits again, and a snapshot continues as if nev
     }
 }
 
+// What a solver keeps from its last tick must not be taken for that of a copy that has parted
+// since.
+TEST_CASE("a solver tells a world from a copy that it has ticked, in every solver") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        for (World world : {scenes::gas(100, 9), scenes::bucket(60, 0.4)}) {
+            Solver solver({.kind = kind});
+            run(world, solver, 150);
+            World ahead = world;
+            for (int i = 0; i < 10; ++i) {
+                solver.tick(ahead);
+                World behind = world;
+                solver.tick(behind);
+                World alone = world;
+                Solver another({.kind = kind});
+                another.tick(alone);
+                REQUIRE(fingerprint(behind) == fingerprint(alone));
+            }
+        }
+    }
+}
+
+TEST_CASE("a solver sees that the clock of a world has been set, in every solver") {
+    for (const SolverKind kind : solvers_available()) {
+        CAPTURE(name(kind));
+        World world = scenes::gas(100, 9);
+        Solver solver({.kind = kind});
+        run(world, solver, 50);
+        world.edit_tick() = 7;
+        World alone = world;
+        Solver another({.kind = kind});
+        run(alone, another, 3);
+        run(world, solver, 3);
+        CHECK(fingerprint(world) == fingerprint(alone));
+    }
+}
+
 TEST_CASE("contacts are matched by id, even if some ids are missing, in every solver") {
     for (const SolverKind kind : solvers_available())
         for (const bool has_gaps : {false, true}) {
