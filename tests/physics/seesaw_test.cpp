@@ -196,6 +196,66 @@ TEST_CASE("seesaw: a ball that falls on one arm throws another off the other") {
     }
 }
 
+// The first ball turns the arm away from the second one, in the same substep of every solver.
+TEST_CASE("seesaw: a ball hits an arm where another ball has just turned it to") {
+    const auto after = [](SolverKind kind) {
+        World world = plank({.inertia = 1.0});
+        world.edit_definition().model.inelastic = true;  // else `swept` stands in for `contact`
+        const double substep = world.tick_length() / 4.0;
+        const double touch = 0.1 + 0.25;
+        add_ball(world, {.position = {1.0, touch + 10.0 * 0.2 * substep},
+                         .velocity = {0.0, -10.0},
+                         .radius = 0.25,
+                         .mass = 0.1});
+        add_ball(world, {.position = {1.8, touch + 4.0 * 0.5 * substep},
+                         .velocity = {0.0, -4.0},
+                         .radius = 0.25,
+                         .mass = 0.1});
+        Solver solver({.kind = kind});
+        solver.tick(world);
+        REQUIRE(solver.contacts().size() == 2);
+        return world;
+    };
+    const World truth = after(SolverKind::event);
+    // At rest, the arm would throw the second ball up at 2.
+    CHECK(truth.balls().velocity[1].y < -2.0);
+    for (const SolverKind kind : turning_solvers()) {
+        CAPTURE(name(kind));
+        const World world = after(kind);
+        CHECK(distance(world.balls().position[1], truth.balls().position[1]) < 1e-9);
+        CHECK(distance(world.balls().velocity[1], truth.balls().velocity[1]) < 1e-6);
+        CHECK(seesaw_in(world).angle == doctest::Approx(seesaw_in(truth).angle).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("seesaw: a cancelled tick leaves it as it was") {
+    for (const SolverKind kind : {SolverKind::swept, SolverKind::event}) {
+        CAPTURE(name(kind));
+        World start = scenes::gas(1000, 6);
+        start.edit_definition().rate = 0.5;
+        Seesaw made{.inertia = 2.0, .rate = 3.0};
+        made.pivot = {20.0, 20.0};
+        made.home = {{15.0, 20.0}, {25.0, 20.0}, 0.1};
+        made.capsule = add_capsule(start, made.home, 0);
+        add_seesaw(start, made);
+        World world = start;
+        Solver solver({.kind = kind});
+        int cancelled_after = 0;
+        for (;; cancelled_after += 1 + cancelled_after / 8) {
+            int asked = 0;
+            if (solver.tick(world, [&] { return asked++ < cancelled_after; }) !=
+                TickOutcome::cancelled)
+                break;
+            REQUIRE(fingerprint(world) == fingerprint(start));
+            REQUIRE(seesaw_in(world) == seesaw_in(start));
+        }
+        CHECK(cancelled_after > 2);
+        World straight = start;
+        Solver(SolverSettings{.kind = kind}).tick(straight);
+        CHECK(fingerprint(world) == fingerprint(straight));
+    }
+}
+
 TEST_CASE("seesaw: it bounces at its stops") {
     for (const SolverKind kind : turning_solvers()) {
         CAPTURE(static_cast<int>(kind));
