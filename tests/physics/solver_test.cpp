@@ -158,19 +158,24 @@ TEST_CASE("a solver tells a world from a copy that it has ticked, in every solve
     }
 }
 
-TEST_CASE("a solver sees that the clock of a world has been set, in every solver") {
-    for (const SolverKind kind : solvers_available()) {
-        CAPTURE(name(kind));
-        World world = scenes::gas(100, 9);
-        Solver solver({.kind = kind});
-        run(world, solver, 50);
-        world.edit_tick() = 7;
-        World alone = world;
-        Solver another({.kind = kind});
-        run(alone, another, 3);
-        run(world, solver, 3);
-        CHECK(fingerprint(world) == fingerprint(alone));
-    }
+TEST_CASE("a solver sees that a world has been changed between two ticks, in every solver") {
+    using Change = void (*)(World&);
+    const Change set_clock = [](World& world) { world.edit_tick() = 7; };
+    const Change move_edge = [](World& world) { world.edit_capsules().shape[0].start.y += 1.0; };
+    for (const SolverKind kind : solvers_available())
+        for (const Change change : {set_clock, move_edge}) {
+            CAPTURE(name(kind));
+            CAPTURE(change == set_clock);
+            World world = scenes::gas(100, 9);
+            Solver solver({.kind = kind});
+            run(world, solver, 50);
+            change(world);
+            World alone = world;
+            Solver another({.kind = kind});
+            run(alone, another, 60);
+            run(world, solver, 60);
+            CHECK(fingerprint(world) == fingerprint(alone));
+        }
 }
 
 TEST_CASE("contacts are matched by id, even if some ids are missing, in every solver") {
