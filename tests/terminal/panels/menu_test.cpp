@@ -152,7 +152,9 @@ TEST_CASE("in a large window words stand right below the picture, and say more a
     MenuPage wide = page();
     wide.picture_shape = 0.27;  // of a pool table
     wide.about = {{"", "Balls meet balls here."}, {"", ""}, {"t", "trails"}};
-    for (const auto& [columns, rows] : {std::pair{80, 24}, {120, 40}, {200, 60}}) {
+    for (const auto& size : {std::pair{80, 24}, {120, 40}, {200, 60}}) {
+        const int columns = size.first;
+        const int rows = size.second;
         CAPTURE(columns);
         const CellArea area = menu_picture_area(columns, rows, wide);
         CHECK(area.rows >= 0.27 * area.columns);
