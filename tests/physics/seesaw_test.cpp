@@ -6,6 +6,7 @@
 #include "geometry/closest.h"
 #include "geometry/elementary.h"
 #include "physics/solver.h"
+#include "physics/support/cancelled.h"
 #include "physics/support/dice.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
@@ -240,19 +241,7 @@ TEST_CASE("seesaw: a cancelled tick leaves it as it was") {
         add_seesaw(start, made);
         World world = start;
         Solver solver({.kind = kind});
-        int cancelled_after = 0;
-        for (;; cancelled_after += 1 + cancelled_after / 8) {
-            int asked = 0;
-            if (solver.tick(world, [&] { return asked++ < cancelled_after; }) !=
-                TickOutcome::cancelled)
-                break;
-            REQUIRE(fingerprint(world) == fingerprint(start));
-            REQUIRE(seesaw_in(world) == seesaw_in(start));
-        }
-        CHECK(cancelled_after > 2);
-        World straight = start;
-        Solver(SolverSettings{.kind = kind}).tick(straight);
-        CHECK(fingerprint(world) == fingerprint(straight));
+        cancel_at_each_poll(world, solver, [&] { REQUIRE(seesaw_in(world) == seesaw_in(start)); });
     }
 }
 

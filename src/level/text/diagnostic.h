@@ -49,7 +49,7 @@ struct Diagnostic {
 /// `text` made safe for a terminal: '?' replaces control characters, invisible ones
 /// (lookalikes.h) and bytes that are not UTF-8, a space replaces a tab.
 std::string printable(std::string_view text);
-/// The same for text of several lines, which stay.
+/// Makes each line of `text` printable, and keeps the line breaks.
 std::string printable_lines(std::string_view text);
 
 /// The diagnostic as text for a terminal:

@@ -62,7 +62,8 @@ Color color_of_hue(const Rgb& rgb, const Look& look);
 
 /// Black or white: what can be read on `color`. default_color for default_color.
 Color text_color_on(Color color, const Look& look);
-/// The same, bold where that shows: many terminals with few colours show bold black as grey.
+/// text_color_on() in bold, except black, which many terminals with few colours show as grey when
+/// it is bold.
 Ink strong_text_on(Color color, const Look& look);
 
 /// The background's colour, as far as it is known, and the colour of text on it. Pre:
