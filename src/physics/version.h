@@ -56,8 +56,9 @@ namespace carom {
 /// - Contacts that last: the fastest of an impact sets the steps, not the first, and one that would
 ///   press by less than rounding takes no time.
 /// - `event`: a ball that gets out of a body that it started in does not enter it again unseen.
-/// - `swept`: the budget of work counts for a ball that has the number of the edge that it meets.
-/// - `swept`: a ball that rises with the ball on which it rests pays for the height.
+/// - `swept`: a ball with the same index as the edge that it meets is charged for its work, too.
+/// - `swept`: a ball that rises with the ball below it loses the kinetic energy that the height
+///   costs.
 inline constexpr int physics_version = 5;
 
 }  // namespace carom

@@ -98,7 +98,7 @@ void ContactClassification::count_contacts(bool is_reloaded) {
     contacts_on_.clear();
     if (!pairs_.any_inelastic() || step_.gravity == Vec2{}) return;
     contacts_on_.assign(bodies_.body.size(), 0);
-    // Without branches, since no processor foresees which pairs press.
+    // Without branches: whether a pair presses is a toss-up, which would be mispredicted.
     const auto count = [&](const ContactPair& pair) {
         const bool presses = pair.impulse > 0.0;
         for (const std::uint32_t body : {pair.a, pair.b}) {
@@ -166,7 +166,8 @@ inline ContactState ContactClassification::state_of(const World& world,
     if (terms.special() && is_led_by_curve(world, pair, -dot(without_fall, pair.normal)))
         return ccd;
     // A kinematic body that touches goes on pushing, however far its target: it can be held back.
-    // Few pairs are fast, but half of those at rest approach: the processor foresees this order.
+    // Hardly any pair is fast, so the branch predictor is right here. Whether a pair at rest
+    // approaches is a toss-up, so that is asked last.
     if (is_fast(pair, relative) && approach > 0.0 && !(pushed && pair.separation <= 0.0))
         return ccd;
     if (pair.bounces && !pushed) {

@@ -40,7 +40,7 @@ void ContactConstraints::begin_all() {
     const double deepest_held = -contact_tolerance::deep_overlap * bodies_.smallest_radius;
     const ContactSoftness softness = step_.softness;
     double springs = 0.0;
-    ContactPair* before = nullptr;  // free to be the neighbour of the next one
+    ContactPair* before = nullptr;  // the constraint before, if it has no neighbour yet
     for (const std::uint32_t p : classification_.constraints()) {
         ContactPair& pair = pairs_[p];
         const double gap = pair.separation;

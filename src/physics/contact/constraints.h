@@ -44,9 +44,8 @@ class ContactConstraints {
     void begin();
     /// One more iteration, for kinematic bodies that have changed their velocities.
     void solve(bool downwards);
-    /// The last iteration. `most_push`: the longest
-    /// displacement that impulses gave in the substep. `had_impacts`: then a pair that is about to
-    /// bounce is left alone.
+    /// The last iteration. `most_push`: the longest displacement that impulses gave in the substep.
+    /// `had_impacts`: then a pair that is about to bounce is left alone.
     void relax(double most_push, bool had_impacts);
 
     /// A pair that presses for the first time is a contact too. Tells `kinematics` of those with

@@ -122,8 +122,8 @@ SweptResponse::Passed SweptResponse::rest_together(const World& world, BallImpac
 }
 
 // The support takes the weight until the substep ends, but is not slowed by it. So a ball that
-// rises with its support pays for the height, from the speed with which it rises. Hands and movers
-// lift.
+// rises with its support is slowed by what the height costs. Hands and movers may do work on both,
+// so where there are any, it is not.
 void SweptResponse::rest_on_ball(const World& world, std::uint32_t ball, Vec2 normal, double now,
                                  Vec2& velocity) {
     paths_.rest_on(world, ball, normal);
