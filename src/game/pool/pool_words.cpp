@@ -84,19 +84,19 @@ std::string_view foul_text(PoolFoul foul) {
         case PoolFoul::scratch:
             return "the cue ball fell";
         case PoolFoul::no_hit:
-            return "no ball was met";
+            return "no ball was hit";
         case PoolFoul::wrong_ball:
-            return "the wrong ball was met first";
+            return "the wrong ball was hit first";
         case PoolFoul::no_rail:
-            return "nothing fell or met a cushion";
+            return "no ball fell or hit a cushion";
         case PoolFoul::weak_break:
-            return "fewer than four balls met a cushion";
+            return "fewer than four balls hit a cushion";
         case PoolFoul::time:
             return "the time is up";
         case PoolFoul::behind_string:
-            return "the ball met first was behind the head string";
+            return "the ball hit first was behind the head string";
         case PoolFoul::weak_opening:
-            return "the cue ball and two balls must meet a cushion";
+            return "the cue ball and two balls must hit a cushion";
         case PoolFoul::wrong_pot:
             return "a ball fell that was not on";
         case PoolFoul::hidden:
@@ -180,19 +180,31 @@ bool is_stalemate(const PoolPlay& play) {
     return play.rules.options.stalemate > 0 && play.last_foul == PoolFoul::none;
 }
 
+// What a foul or the reason for the ruling adds: "Foul: no ball was hit. 3 fouls in a row. ".
+std::string why_text(const PoolPlay& play, const PlayerNames& names) {
+    const PoolState& rules = play.rules;
+    const auto shooter = static_cast<std::size_t>(*play.shooter);
+    const std::string_view reason = rules.referee->reason_text(rules, play.shot, *play.shooter);
+    if (play.last_foul == PoolFoul::none) return reason.empty() ? "" : fmt::format("{}. ", reason);
+    std::string text =
+        play.last_penalty == 0 ? "Foul: " : fmt::format("Foul, {}: ", play.last_penalty);
+    text += fmt::format("{}. ", foul_text(play.last_foul));
+    const int most = rules.options.fouls_that_lose;
+    if (rules.winner && most > 0 && rules.fouls[shooter] >= most)
+        text += fmt::format("{} fouls in a row. ", most);
+    if (!rules.winner && !reason.empty()) text += fmt::format("{}. ", reason);
+    PoolState warned = rules;
+    warned.player = *play.shooter;
+    if (is_warned(warned))
+        text +=
+            fmt::format("{}: {}. ", name_of(names, warned.player), rules.referee->warning_text());
+    return text;
+}
+
 std::string outcome_parts(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
     const std::string fallen = fallen_text(play);
-    std::string foul =
-        play.last_foul == PoolFoul::none ? ""
-        : play.last_penalty == 0
-            ? fmt::format("Foul: {}. ", foul_text(play.last_foul))
-            : fmt::format("Foul, {}: {}. ", play.last_penalty, foul_text(play.last_foul));
-    PoolState shooter = rules;
-    shooter.player = *play.shooter;
-    if (play.last_foul != PoolFoul::none && is_warned(shooter))
-        foul +=
-            fmt::format("{}: {}. ", name_of(names, *play.shooter), rules.referee->warning_text());
+    const std::string foul = why_text(play, names);
     if (rules.phase == PoolPhase::breaking)
         return foul + fmt::format("{}{} again", is_stalemate(play) ? "Stalemate: " : "",
                                   does(name_of(names, rules.player), "breaks"));

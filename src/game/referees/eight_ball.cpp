@@ -99,6 +99,19 @@ class EightBall final : public Referee {
         return fmt::format("{}, {} left", *group == PoolGroup::solids ? "solids" : "stripes", left);
     }
 
+    std::string_view reason_text(const PoolState& state, const PoolShot& shot,
+                                 int shooter) const override {
+        if (may_choose(state, PoolChoice::spot_eight)) return "the 8 fell on the break";
+        if (may_choose(state, PoolChoice::let_break))
+            return "weak break: fewer than four balls hit a cushion";
+        if (!state.winner || *state.winner == shooter || !is_pocketed(shot, eight)) return "";
+        PoolState before = state;
+        before.down &= ~pocketed_object_balls(shot);
+        const auto group = group_of_player(before, shooter);
+        return group && balls_left(before, *group) == 0 ? "the 8 fell, but not as called"
+                                                        : "the 8 fell too early";
+    }
+
     double lead(const PoolState& state) const override {
         const auto group = group_of_player(state, state.player);
         if (!group) return 0.0;

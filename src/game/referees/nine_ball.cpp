@@ -65,6 +65,10 @@ class NineBall final : public Referee {
     std::string target_text(const PoolState& state) const override {
         return fmt::format("on the {}", lowest_ball(state, nine));
     }
+
+    std::string_view reason_text(const PoolState& state, const PoolShot&, int) const override {
+        return may_choose(state, PoolChoice::return_push) ? "a push-out" : "";
+    }
 };
 
 }  // namespace

@@ -120,6 +120,10 @@ std::string_view Referee::warning_text() const {
     return "the next foul loses";
 }
 
+std::string_view Referee::reason_text(const PoolState&, const PoolShot&, int) const {
+    return "";
+}
+
 std::string Referee::score_text(const PoolState&) const {
     return "";
 }

@@ -89,6 +89,10 @@ class Referee {
     virtual std::string_view warning_text() const;
     /// "12:40"; empty in a game without points.
     virtual std::string score_text(const PoolState& state) const;
+    /// Why the shot ended as it did, where neither the pocketed balls nor a foul tell: "the 8 fell
+    /// too early"; empty where they do. `state`: after the shot of `shooter`.
+    virtual std::string_view reason_text(const PoolState& state, const PoolShot& shot,
+                                         int shooter) const;
 
     // The planner.
 

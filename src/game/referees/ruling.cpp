@@ -79,6 +79,10 @@ void let_choose(PoolState& state, std::vector<PoolChoice> choices) {
     state.choices = std::move(choices);
 }
 
+bool may_choose(const PoolState& state, PoolChoice choice) {
+    return state.phase == PoolPhase::choosing && std::ranges::count(state.choices, choice) > 0;
+}
+
 void spot(PoolRuling& ruling, int ball) {
     ruling.respot.push_back(ball);
     ruling.next.down &= ~ball_bit(ball);

@@ -40,6 +40,8 @@ void score_points(PoolState& state, int points);
 void win(PoolState& state, int player);
 /// Lets the player whose turn it is choose. Pre: `choices` is not empty.
 void let_choose(PoolState& state, std::vector<PoolChoice> choices);
+/// Whether a choice is due, and this is one of those offered.
+bool may_choose(const PoolState& state, PoolChoice choice);
 /// Puts a pocketed ball back on its spot.
 void spot(PoolRuling& ruling, int ball);
 /// Puts all balls of the set back, by descending numbers.

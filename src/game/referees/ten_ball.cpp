@@ -67,6 +67,11 @@ class TenBall final : public Referee {
     std::string target_text(const PoolState& state) const override {
         return fmt::format("on the {}", lowest_ball(state, ten));
     }
+
+    std::string_view reason_text(const PoolState& state, const PoolShot& shot, int) const override {
+        if (!may_choose(state, PoolChoice::return_push)) return "";
+        return pocketed_object_balls(shot) == 0 ? "a push-out" : "not a called pot";
+    }
 };
 
 }  // namespace

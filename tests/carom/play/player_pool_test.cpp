@@ -197,6 +197,7 @@ TEST_CASE("an undone shot and another try begin with the aim of the shot before"
     Person person("eight-ball");
     for (int i = 0; i < 3; ++i)
         person.key(key::left);
+    CHECK(person.sees("Weak break: fewer than four balls hit a cushion. Player 2 chooses."));
     person.key(key::down);
     person.key(key::up, shift);
     const std::string aimed = person.look().substr(person.look().find("m/s") - 5);

@@ -1,0 +1,110 @@
+#include "game/pool/pool_words.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "game/referees/referee.h"
+
+using namespace carom;
+
+namespace {
+
+/// A game after its referee has judged the shot of the player in turn.
+PoolPlay after(PoolState state, const PoolShot& shot, const PoolCall& call = {}) {
+    const PoolRuling ruling = judge(state, call, shot);
+    PoolPlay play;
+    play.rules = ruling.next;
+    play.shot = shot;
+    play.shooter = state.player;
+    play.last_foul = ruling.foul;
+    play.last_penalty = ruling.penalty;
+    return play;
+}
+
+std::string told(const PoolPlay& play) {
+    return outcome_text(play, {"player 1", "player 2"});
+}
+
+PoolState rack(std::string_view game) {
+    return begin_rack(*referee_of(game), 0);
+}
+
+/// 8-ball: player 1 has the solids, of which these are left.
+PoolState solids_left(const std::vector<int>& balls) {
+    PoolState state = rack("eightball");
+    state.phase = PoolPhase::playing;
+    state.in_hand = CueInHand::no;
+    state.group = PoolGroup::solids;
+    state.down = 0xfe;
+    for (const int ball : balls)
+        state.down &= ~(1u << ball);
+    return state;
+}
+
+constexpr PoolCall eight_in_pocket_2{PoolCall::Kind::pot, 8, 2};
+
+}  // namespace
+
+TEST_CASE("a break that leaves a choice says why") {
+    PoolShot weak{.first_hit = 1, .rail_after_hit = true, .railed = 1u << 5};
+    CHECK(told(after(rack("eightball"), weak)) ==
+          "Weak break: fewer than four balls hit a cushion. Player 2 chooses.");
+    weak.pocketed = {{cue_ball, 0}};
+    CHECK(told(after(rack("eightball"), weak)) ==
+          "Foul: the cue ball fell. Weak break: fewer than four balls hit a cushion. "
+          "Player 2 chooses.");
+    const PoolShot eight{.first_hit = 1, .pocketed = {{8, 3}}};
+    CHECK(told(after(rack("eightball"), eight)) ==
+          "Pocketed: 8. The 8 fell on the break. Player 1 chooses.");
+}
+
+TEST_CASE("who loses by the 8 is told why") {
+    const PoolShot eight{.first_hit = 8, .pocketed = {{8, 3}}};
+    CHECK(told(after(solids_left({}), eight, eight_in_pocket_2)) ==
+          "Pocketed: 8. The 8 fell, but not as called. Player 2 wins the frame.");
+    const PoolShot early{.first_hit = 3, .pocketed = {{8, 2}}};
+    CHECK(told(after(solids_left({3}), early)) ==
+          "Pocketed: 8. The 8 fell too early. Player 2 wins the frame.");
+    // The last solid and the 8 in one shot: the 8 was not on when the player shot.
+    const PoolShot both{.first_hit = 3, .pocketed = {{3, 1}, {8, 2}}};
+    CHECK(told(after(solids_left({3}), both)) ==
+          "Pocketed: 3, 8. The 8 fell too early. Player 2 wins the frame.");
+    const PoolShot scratch{.first_hit = 8, .pocketed = {{8, 2}, {cue_ball, 0}}};
+    CHECK(told(after(solids_left({}), scratch, eight_in_pocket_2)) ==
+          "Pocketed: 8. Foul: the cue ball fell. Player 2 wins the frame.");
+    const PoolShot won{.first_hit = 8, .pocketed = {{8, 2}}};
+    CHECK(told(after(solids_left({}), won, eight_in_pocket_2)) ==
+          "Pocketed: 8. Player 1 wins the frame.");
+}
+
+TEST_CASE("after a push-out, or a pot that was not called, the choice says so") {
+    for (const std::string_view game : {"nineball", "tenball"}) {
+        CAPTURE(game);
+        PoolState state = rack(game);
+        state.phase = PoolPhase::playing;
+        state.in_hand = CueInHand::no;
+        state.may_push_out = true;
+        CHECK(told(after(state, {}, {PoolCall::Kind::push_out})) ==
+              "A push-out. Player 2 chooses.");
+    }
+    PoolState state = rack("tenball");
+    state.phase = PoolPhase::playing;
+    state.in_hand = CueInHand::no;
+    const PoolShot lucky{.first_hit = 1, .pocketed = {{4, 0}}};
+    CHECK(told(after(state, lucky, {PoolCall::Kind::pot, 1, 0})) ==
+          "Pocketed: 4. Not a called pot. Player 2 chooses.");
+}
+
+TEST_CASE("a frame lost by fouls in a row says how many they were") {
+    PoolState state = rack("nineball");
+    state.phase = PoolPhase::playing;
+    state.in_hand = CueInHand::no;
+    state.fouls = {1, 0};
+    CHECK(told(after(state, {})) ==
+          "Foul: no ball was hit. Player 1: the next foul loses. Player 2: ball in hand.");
+    state.fouls = {2, 0};
+    CHECK(told(after(state, {})) ==
+          "Foul: no ball was hit. 3 fouls in a row. Player 2 wins the frame.");
+}
