@@ -72,8 +72,11 @@ class PoolController : public FreeController {
         Vec2 shift;          ///< from the pointer to the hand
         double slack = 0.0;  ///< see PoolAim::pull
         ShotSetup before{};  ///< the aim, if no shot comes of it
+        Vec2 way{};          ///< of the shot, which a pull from anywhere keeps; zero: it turns
     };
     std::optional<Pull> grip_of_cue(const PlayContext& play) const;
+    Pull grip_from_anywhere(const PlayContext& play) const;
+    Vec2 hand_at_cue(const PlayContext& play, const Pull& pull) const;
     bool takes_key(PlayContext& play, const InputEvent& event);
     void start_push(PlayContext& play);
     void shoot(PlayContext& play, const std::optional<Stroke>& stroke = std::nullopt);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -62,7 +63,7 @@ void PoolController::point(PlayContext& play) {
     if (!pulls) return;
     if (!players_.is_match(play.session)) {
         const Pull pull = pull_.value_or(Pull{});
-        return aim_.pull(play.session, play.pointer.at + pull.shift, pull.slack);
+        return aim_.pull(play.session, hand_at_cue(play, pull), pull.slack);
     }
     if (!is_striking(play)) return;
     MouseStroke* const push = stroke_.push();
@@ -101,6 +102,27 @@ std::optional<PoolController::Pull> PoolController::grip_of_cue(const PlayContex
     return Pull{at - play.pointer.at, distance(at, ball), aim_.setup()};
 }
 
+// The right button takes the cue wherever the pointer is: near the edge of the window there would
+// be no room to pull it back. The way of the shot stays, and only what is pulled along it counts.
+PoolController::Pull PoolController::grip_from_anywhere(const PlayContext& play) const {
+    const World& world = play.session.world();
+    const auto ball = *index_of(world, *aim_.cue_ball(play.session));
+    const Vec2 velocity = aim_.strike(play.session).velocity;
+    const Vec2 way = velocity / length(velocity);
+    const double slack = world.balls().radius[ball];
+    const Vec2 hand = world.balls().position[ball] - way * slack;
+    return Pull{hand - play.pointer.at, slack, aim_.setup(), way};
+}
+
+Vec2 PoolController::hand_at_cue(const PlayContext& play, const Pull& pull) const {
+    const Vec2 hand = play.pointer.at + pull.shift;
+    const auto cue = aim_.cue_ball(play.session);
+    if (pull.way == Vec2{} || !cue) return hand;
+    const World& world = play.session.world();
+    const Vec2 ball = world.balls().position[*index_of(world, *cue)];
+    return ball - pull.way * std::max(pull.slack, dot(ball - hand, pull.way));
+}
+
 bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     if (event.button == middle_button) return false;
     const bool has_game = has_turns(play.session);
@@ -132,8 +154,10 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     }
     pointer.pressed = event.button;
     pull_.reset();
-    if (!is_left || at_pointer == cue)
+    if (at_pointer == cue)
         pull_ = Pull{{}, 0.0, aim_.setup()};
+    else if (!is_left)
+        pull_ = grip_from_anywhere(play);
     else if (aim_.call_pocket(play.session, pointer.at))
         return true;
     else
@@ -164,7 +188,7 @@ bool PoolController::take_release(PlayContext& play) {
     const auto index = cue ? index_of(world, *cue) : std::nullopt;
     if (!index || !is_aiming(play)) return true;
     const Pull from = pull.value_or(Pull{{}, 0.0, aim_.setup()});
-    const Vec2 hand = play.pointer.at + from.shift;
+    const Vec2 hand = hand_at_cue(play, from);
     const double pulled = distance(hand, world.balls().position[*index]) - from.slack;
     if (pulled > least_pull * world.balls().radius[*index])
         shoot(play);

@@ -157,6 +157,28 @@ TEST_CASE("the left button takes the cue ball where it may not be placed, and fu
     CHECK(length(person.last_strike()) == doctest::Approx(13.0).epsilon(0.05));
 }
 
+TEST_CASE("a pull with the right button from anywhere keeps the aim, also where no room is") {
+    using enum InputEvent::Action;
+    Person person("eight-ball");
+    person.drag(person.cue(), {-1.2, 0.3});  // the cue ball, to the rail behind it
+    person.drag({0.3, 0.1}, {0.3, 0.1});     // the aim
+    person.key(key::enter);
+    const Vec2 aimed = person.last_strike();
+    person.key(U'u');
+    const Vec2 way = aimed / length(aimed);
+    const Vec2 at{0.6, -0.3};
+    person.mouse(press, at, 3);
+    person.mouse(move, at + way * 0.3, 3);  // forward: no shot
+    person.mouse(release, at + way * 0.3, 3);
+    CHECK_FALSE(person.play().is_shooting);
+    CHECK(person.sees("8.00 m/s"));
+    person.drag(at, at - way * 1.0, 3);
+    REQUIRE(person.play().is_shooting);
+    const Vec2 strike = person.last_strike();
+    CHECK(length(strike) == doctest::Approx(13.0).epsilon(0.01));
+    CHECK(std::abs(cross(strike, aimed)) < 1e-9);
+}
+
 TEST_CASE("a press on the cloth points the cue there, without shooting") {
     Person person("eight-ball");
     person.drag({0.0, -0.2}, {0.0, 0.4});
