@@ -2,6 +2,7 @@
 
 #include "carom/controllers/pool_controller.h"
 #include "carom/pool/pool_scoreboard.h"
+#include "carom/pool/shot_picture.h"
 
 /// Draws a game of pool.
 namespace carom {
@@ -13,6 +14,8 @@ constexpr double last_seconds = 5.0;  // s of the shot clock that are announced 
 
 void PoolController::annotate(const PlayContext& play, Annotations& annotations) const {
     annotations.pool = aim_.annotations(play.session, is_striking(play));
+    if (const CandidateShot* const shot = players_.opponent_shot(play.session))
+        show_shot(play.session, *shot, *annotations.pool);
     if (!play.pointer.tool.has_cue()) return Controller::annotate(play, annotations);
     const MouseStroke* const push = stroke_.push();
     if (!push || !annotations.pool || !annotations.pool->stick) return;

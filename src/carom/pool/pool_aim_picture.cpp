@@ -5,6 +5,7 @@
 
 #include "carom/pool/pool_aim.h"
 #include "carom/pool/power_bar.h"
+#include "carom/pool/shot_picture.h"
 #include "game/ai/pool_shots.h"
 #include "game/commands/aiming.h"
 #include "game/referees/referee.h"
@@ -101,11 +102,8 @@ std::optional<int> PoolAim::marked_pocket(const Session& session) const {
 PoolAnnotations::Line PoolAim::stick(const Session& session) const {
     const World& world = session.world();
     const auto ball = *index_of(world, *cue_ball(session));
-    const double radius = world.balls().radius[ball];
-    const Vec2 velocity = strike(session).velocity;
-    const Vec2 way = velocity / length(velocity);
-    const Vec2 tip = world.balls().position[ball] - way * (1.5 * radius + 0.03 * length(velocity));
-    return {tip, tip - way * (16.0 * radius)};
+    return stick_behind({world.balls().position[ball], world.balls().radius[ball]},
+                        strike(session).velocity);
 }
 
 PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {

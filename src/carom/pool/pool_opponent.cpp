@@ -54,6 +54,12 @@ void PoolOpponent::play(PlayContext& play, double seconds) {
     set_reference(play);
 }
 
+const CandidateShot* PoolOpponent::announced(const Session& session) const {
+    const bool is_due = is_turn(session) && !pool_of(session)->is_shooting && !says_.empty();
+    if (!is_due || !ai_->is_about(session) || ai_->candidates().empty()) return nullptr;
+    return &ai_->candidates().front();
+}
+
 std::string PoolOpponent::text() const {
     if (!says_.empty() || !ai_) return says_;
     return fmt::format("{} thinks", ai_player(ai_->number()).name);

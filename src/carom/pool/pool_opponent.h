@@ -22,6 +22,8 @@ class PoolOpponent {
     void play(PlayContext& play, double seconds);
     /// Restarts the pause before the next shot, after a rewind.
     void hesitate() { seconds_left_ = 0.0; }
+    /// The announced shot, which the AI player is about to make; null: none.
+    const CandidateShot* announced(const Session& session) const;
     /// The announced shot, or that the AI player is still planning.
     std::string text() const;
 

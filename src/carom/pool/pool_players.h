@@ -23,6 +23,10 @@ class PoolPlayers {
     bool is_opponents_turn(const Session& session) const { return opponent_.is_turn(session); }
     /// The opponent's announced shot.
     std::string opponent_text() const { return opponent_.text(); }
+    /// The shot that the opponent is about to make; null: none.
+    const CandidateShot* opponent_shot(const Session& session) const {
+        return opponent_.announced(session);
+    }
     /// Restarts the opponent's pause, after a rewind.
     void hesitate() { opponent_.hesitate(); }
     PlayerNames names() const;

@@ -367,6 +367,26 @@ TEST_CASE("in a match the push of the mouse gives the speed, and the way is that
     // Let go without a push: no shot.
     person.mouse(press, at, 3);
     CHECK(person.sees("pull the mouse back"));
+TEST_CASE("the opponent's cue and line are seen before it shoots") {
+    Person person("nine-ball");
+    for (int i = 0; i < 75; ++i)
+        person.key(key::down);
+    REQUIRE(person.players().set_opponent(person.player.session(), 4));
+    person.stroke();
+    person.wait();
+    REQUIRE(person.play().rules.player == 1);
+    const auto table = [&] {
+        const std::string text = person.look();
+        return text.substr(0, text.size() * 3 / 4);
+    };
+    const std::string before = table();
+    for (int i = 0; i < 400 && !person.sees("carom: "); ++i)
+        person.player.advance(1.0 / 60.0, always);
+    REQUIRE(person.play().shots == 1);
+    REQUIRE_FALSE(person.play().is_shooting);
+    CHECK(table() != before);
+}
+
     const std::string before = person.look();
     person.mouse(move, at - Vec2{0.3, 0.0}, 3);
     CHECK(person.sees("now push it forward"));
