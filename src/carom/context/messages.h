@@ -25,6 +25,10 @@ class Messages {
     }
     /// A question to the player, shown before everything else until it is answered; empty: none.
     void set_prompt(std::string prompt) { prompt_ = std::move(prompt); }
+    /// What was in the way of the held body is so no longer.
+    void end_obstacle() {
+        if (message_.is_error && message_.place) seconds_left_ = 0.0;
+    }
     /// The problem's lines.
     const std::vector<std::string>& problem() const { return problem_; }
 

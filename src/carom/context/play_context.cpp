@@ -98,6 +98,8 @@ void move_pointer(PlayContext& play, Vec2 to) {
     play.needs_draw = true;
     if (const auto complaint = pointer.tool.move(play.session, to, is_idle(play)))
         complain(play, *complaint);
+    else
+        play.messages.end_obstacle();
 }
 
 void move_cursor(PlayContext& play, double columns, double rows) {

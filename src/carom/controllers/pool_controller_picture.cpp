@@ -115,6 +115,7 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     const bool in_match = players_.is_match(play.session);
     hint("grab", in_match ? "stroke" : "shoot");
     const bool is_new = pool ? !pool->shooter : !shots || shots->shots == 0 || shots->is_over;
+    if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
     if (pool && is_new && !in_match) hint("opponent", "opponent");
     if (aim_.may_choose(play.session)) hint("next-ball", "next of your balls");
     hints.push_back({"arrows", "aim, power"});
@@ -123,7 +124,6 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     if (!play.terminal.mouse_is_off)
         hints.push_back({"pull the cue", in_match ? "stroke" : "shoot"});
     hints.push_back({"shift-arrows", "tip"});
-    if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
     if (shots && is_new) hint("opponent", in_match ? "practice" : "for real");
     if (in_match) return;
     hint("aids", "lines");

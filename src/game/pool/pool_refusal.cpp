@@ -19,10 +19,25 @@ Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
     return refusal_of_cue(strike.velocity, scene.pool.cue->most_power);
 }
 
+// Names the ball, or the table's edge, over which the ball would be placed.
+std::string in_the_way(const World& world, const PoolPlay& play, const command::PlaceBall& place) {
+    const Balls& balls = world.balls();
+    const double radius = balls.radius[*index_of(world, place.ball)];
+    for (std::size_t number = 1; number < play.balls.size(); ++number) {
+        const auto index = play.balls[number] ? index_of(world, *play.balls[number]) : std::nullopt;
+        if (index &&
+            distance(balls.position[*index], place.position) < radius + balls.radius[*index])
+            return fmt::format("Blocked: it would overlap {}",
+                               play.rules.referee->ball_name(static_cast<int>(number)));
+    }
+    return "Blocked: it would overlap a cushion";
+}
+
 Refusal refused(const Scene& scene, const World& world, const PoolPlay& play,
                 const command::PlaceBall& place) {
     if (auto why = refusal_to_place(scene, play, place.ball, place.position)) return why;
-    if (auto why = refusal(world, Command(place))) return why;
+    if (auto why = refusal(world, Command(place)))
+        return obstacle_to(world, Command(place)) ? in_the_way(world, play, place) : why;
     const double radius = world.balls().radius[*index_of(world, place.ball)];
     if (!is_on_table(scene, world, place.position, radius)) return "it must lie on the table";
     return std::nullopt;

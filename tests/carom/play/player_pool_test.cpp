@@ -279,6 +279,43 @@ TEST_CASE("a new rack that a player chose is not told as a stalemate") {
     CHECK_FALSE(person.sees("Stalemate"));
 }
 
+TEST_CASE("the outcome stays until the person acts, and j tells it again") {
+    Person person("nine-ball");
+    for (int i = 0; i < 75; ++i)
+        person.key(key::down);
+    person.key(key::enter);
+    person.wait();
+    person.pass(0.1);
+    const std::string foul = "Foul: no ball was hit. Player 2: ball in hand.";
+    person.pass(60.0);
+    CHECK(person.sees(foul));
+    person.key(key::up);
+    CHECK_FALSE(person.sees(foul));
+    person.key(U'j');
+    CHECK(person.sees(foul));
+}
+
+TEST_CASE("what blocks the ball in hand has the name that it has in the game") {
+    using enum InputEvent::Action;
+    Person person("nine-ball");
+    for (int i = 0; i < 75; ++i)
+        person.key(key::down);
+    person.key(key::enter);
+    person.wait();
+    REQUIRE(person.play().rules.in_hand == CueInHand::anywhere);
+    CHECK(person.sees("shoot  p place the ball"));
+    const Vec2 from = person.cue();
+    person.mouse(press, from);
+    person.mouse(move, person.rack());
+    CHECK(person.sees("it would overlap the 1"));
+    person.mouse(move, {0.1, 0.625});
+    CHECK(person.sees("it would overlap a cushion"));
+    person.mouse(move, {0.0, 0.2});
+    CHECK_FALSE(person.sees("it would overlap"));
+    person.mouse(release, {0.0, 0.2});
+    CHECK(distance(person.cue(), {0.0, 0.2}) < 0.02);
+}
+
 TEST_CASE("while the ball in hand is placed the hints say so") {
     Person person("eight-ball");
     CHECK(person.sees("O opponent"));
