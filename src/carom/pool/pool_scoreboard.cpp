@@ -20,7 +20,8 @@ PoolPanel::Player player_of(const PoolPlay& play, int player, const PlayerNames&
     shown.frames = play.frames[index];
     shown.is_turn = play.rules.player == player && play.rules.phase != PoolPhase::over;
     if (!play.rules.referee->score_text(play.rules).empty())
-        shown.group = fmt::format("{} points", play.rules.score[index]);
+        shown.group = fmt::format("{} {}", play.rules.score[index],
+                                  play.rules.score[index] == 1 ? "point" : "points");
     const auto group = group_of_player(play.rules, player);
     if (!group) return shown;
     shown.group = *group == PoolGroup::solids ? "solids" : "stripes";
