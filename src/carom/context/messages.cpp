@@ -1,5 +1,6 @@
 #include "carom/context/messages.h"
 
+#include <limits>
 #include <utility>
 
 namespace carom {
@@ -20,6 +21,10 @@ void Messages::complain(std::string message, std::optional<Vec2> place) {
     message_ = {std::move(message), true, place};
     seconds_left_ = message_time;
     is_new_ = true;
+}
+
+void Messages::keep_message() {
+    if (seconds_left_ > 0.0) seconds_left_ = std::numeric_limits<double>::infinity();
 }
 
 void Messages::set_problem(std::vector<std::string> lines) {

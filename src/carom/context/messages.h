@@ -15,6 +15,8 @@ class Messages {
     /// `place`: in the world, where it happened; marked while the message is shown.
     void say(std::string message, std::optional<Vec2> place = {});
     void complain(std::string message, std::optional<Vec2> place = {});
+    /// The message stays until the player acts, however long that takes.
+    void keep_message();
     /// The lines of the problem stay until the next call; none clear it. For the errors of a level
     /// under --watch.
     void set_problem(std::vector<std::string> lines);
@@ -23,12 +25,12 @@ class Messages {
     void end_message() {
         if (!message_.is_error) seconds_left_ = 0.0;
     }
-    /// A question to the player, shown before everything else until it is answered; empty: none.
-    void set_prompt(std::string prompt) { prompt_ = std::move(prompt); }
     /// What was in the way of the held body is so no longer.
     void end_obstacle() {
         if (message_.is_error && message_.place) seconds_left_ = 0.0;
     }
+    /// A question to the player, shown before everything else until it is answered; empty: none.
+    void set_prompt(std::string prompt) { prompt_ = std::move(prompt); }
     /// The problem's lines.
     const std::vector<std::string>& problem() const { return problem_; }
 

@@ -128,7 +128,7 @@ constexpr Action rows[] = {
     {"aids", "A", "aiming aid: ghost, full, 20 shots, off", pool,
      [](Pool& table, Play& play) { pool_actions::next_aids(table, play); }},
     {"to-rest", "j", "skip until the balls rest", pool,
-     [](Pool&, Play& play) { pool_actions::skip_to_rest(play); }},
+     [](Pool& table, Play& play) { pool_actions::skip_to_rest(table, play); }},
     {"next-frame", "N", "rack the next frame", pool,
      [](Pool& table, Play& play) { pool_actions::rack_again(table, play); }},
     {"opponent", "O", "opponent: off, 1 to 4; practice", pool,

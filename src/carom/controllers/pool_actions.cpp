@@ -85,8 +85,10 @@ bool explain_cue(const PoolController& table, PlayContext& play) {
     return true;
 }
 
-void skip_to_rest(PlayContext& play) {
-    if (!are_rolling(play)) return say(play, "The balls are at rest.");
+// At rest it tells the outcome once more: it may have faded, or come up during this press.
+void skip_to_rest(const PoolController& table, PlayContext& play) {
+    const std::string outcome = table.players().outcome(play.session);
+    if (!are_rolling(play)) return say(play, outcome.empty() ? "The balls are at rest." : outcome);
     play.clock.hurry();
 }
 
@@ -203,7 +205,9 @@ void ask_coach(PoolController& table, PlayContext& play) {
 
 void undo_shot(PoolController& table, PlayContext& play) {
     PoolPlayers& players = table.players();
-    if (players.is_match(play.session)) return say(play, "No shot can be undone in a match.");
+    if (players.is_match(play.session))
+        return say(play, pool_of(play.session) ? "No shot can be undone in a match."
+                                               : "No shot can be undone when it is for real.");
     players.hesitate();
     if (!undo(play)) return;
     say(play, "Undone.");

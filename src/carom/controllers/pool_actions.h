@@ -15,7 +15,7 @@ bool give_up_stroke(PoolController& table, PlayContext& play);
 /// Says that a game's balls are not edited.
 bool edit_nothing(PlayContext& play);
 bool explain_cue(const PoolController& table, PlayContext& play);
-void skip_to_rest(PlayContext& play);
+void skip_to_rest(const PoolController& table, PlayContext& play);
 
 void next_pot(PoolController& table, PlayContext& play, bool backwards);
 /// next_pot() in a game, for the keys that select the next ball in free play. False: no game.

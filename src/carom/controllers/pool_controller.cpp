@@ -54,7 +54,10 @@ void PoolController::after_ticks(PlayContext& play, double) {
     if (play.clock.is_hurrying() && !are_rolling(play)) play.clock.normal();
     const auto outcome = players_.tell_outcome(play.session);
     // While nothing is aimed, the status line says it.
-    if (outcome && *outcome != line(play)) say(play, *outcome);
+    if (!outcome || *outcome == line(play)) return;
+    say(play, *outcome);
+    // Who has looked away still learns why the cue ball is in hand.
+    if (!players_.is_opponents_turn(play.session)) play.messages.keep_message();
 }
 
 bool are_rolling(const PlayContext& play) {

@@ -61,6 +61,10 @@ class PoolPlayers {
 
     /// Lets the player's seconds pass: the opponent plays, and clock and record count.
     void pass(PlayContext& play, double seconds);
+    /// The outcome of the last shot; empty: there is none, or the balls roll.
+    std::string outcome(const Session& session) const {
+        return outcome_of(session, names()).value_or("");
+    }
     /// The outcome of a shot, once.
     std::optional<std::string> tell_outcome(const Session& session);
     /// Continues with the player's choices in another game.

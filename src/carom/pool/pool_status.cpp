@@ -16,16 +16,11 @@ bool has_turns(const Session& session) {
     return pool_of(session) || shots_of(session);
 }
 
-namespace {
-
-// The outcome of the last shot; none: no game is played.
 std::optional<std::string> outcome_of(const Session& session, const PlayerNames& names) {
     if (const ShotsState* const shots = shots_of(session)) return shots->message;
     if (const PoolPlay* const pool = pool_of(session)) return outcome_text(*pool, names);
     return std::nullopt;
 }
-
-}  // namespace
 
 void add_pool_title(const Session& session, const PlayerNames& names,
                     std::optional<double> time_left, HudInfo& info) {

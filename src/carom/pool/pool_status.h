@@ -23,6 +23,9 @@ bool has_turns(const Session& session);
 void add_pool_title(const Session& session, const PlayerNames& names,
                     std::optional<double> time_left, HudInfo& info);
 
+/// The outcome of the last shot, empty while the balls roll; none: no game is played.
+std::optional<std::string> outcome_of(const Session& session, const PlayerNames& names);
+
 /// Announces the outcome of each shot once.
 class ShotAnnouncer {
   public:

@@ -197,6 +197,7 @@ TEST_CASE("after a weak break the last line lists the choices, and a digit takes
     REQUIRE(person.play().rules.phase == PoolPhase::choosing);
     for (int i = 0; i < 100; ++i)
         person.player.advance(0.1, always);
+    CHECK(person.sees("Weak break: fewer than four balls hit a cushion. Player 2 chooses."));
     CHECK(person.sees("1 shoot from here"));
     CHECK(person.sees("2 rack again and break"));
     person.key(U'2');
@@ -219,7 +220,6 @@ TEST_CASE("an undone shot and another try begin with the aim of the shot before"
     Person person("eight-ball");
     for (int i = 0; i < 3; ++i)
         person.key(key::left);
-    CHECK(person.sees("Weak break: fewer than four balls hit a cushion. Player 2 chooses."));
     person.key(key::down);
     person.key(key::up, shift);
     const std::string aimed = person.look().substr(person.look().find("m/s") - 5);
@@ -367,6 +367,26 @@ TEST_CASE("against carom: it takes its turn, and No shot can be undone") {
     }
 }
 
+TEST_CASE("the opponent's cue and line are seen before it shoots") {
+    Person person("nine-ball");
+    for (int i = 0; i < 75; ++i)
+        person.key(key::down);
+    REQUIRE(person.players().set_opponent(person.player.session(), 4));
+    person.stroke();
+    person.wait();
+    REQUIRE(person.play().rules.player == 1);
+    const auto table = [&] {
+        const std::string text = person.look();
+        return text.substr(0, text.size() * 3 / 4);
+    };
+    const std::string before = table();
+    for (int i = 0; i < 400 && !person.sees("carom: "); ++i)
+        person.player.advance(1.0 / 60.0, always);
+    REQUIRE(person.play().shots == 1);
+    REQUIRE_FALSE(person.play().is_shooting);
+    CHECK(table() != before);
+}
+
 TEST_CASE("in a match the mark of the meter decides, and one enter alone does not shoot") {
     for (const double wait : {0.3, 0.62}) {
         CAPTURE(wait);
@@ -404,26 +424,6 @@ TEST_CASE("in a match the push of the mouse gives the speed, and the way is that
     // Let go without a push: no shot.
     person.mouse(press, at, 3);
     CHECK(person.sees("pull the mouse back"));
-TEST_CASE("the opponent's cue and line are seen before it shoots") {
-    Person person("nine-ball");
-    for (int i = 0; i < 75; ++i)
-        person.key(key::down);
-    REQUIRE(person.players().set_opponent(person.player.session(), 4));
-    person.stroke();
-    person.wait();
-    REQUIRE(person.play().rules.player == 1);
-    const auto table = [&] {
-        const std::string text = person.look();
-        return text.substr(0, text.size() * 3 / 4);
-    };
-    const std::string before = table();
-    for (int i = 0; i < 400 && !person.sees("carom: "); ++i)
-        person.player.advance(1.0 / 60.0, always);
-    REQUIRE(person.play().shots == 1);
-    REQUIRE_FALSE(person.play().is_shooting);
-    CHECK(table() != before);
-}
-
     const std::string before = person.look();
     person.mouse(move, at - Vec2{0.3, 0.0}, 3);
     CHECK(person.sees("now push it forward"));
