@@ -11,7 +11,8 @@ using Counts = LevelGoal::Counts;
 
 std::string amount(const LevelGoal& goal, double spent) {
     if (goal.counts == Counts::seconds) return fmt::format("in {:.1f} s", spent);
-    if (goal.counts == Counts::value) return fmt::format("with {:.0f}", spent);
+    if (goal.counts == Counts::value || goal.counts == Counts::cost)
+        return fmt::format("with {:.0f}", spent);
     return fmt::format("in {:.0f} {}", spent, spent == 1.0 ? "shot" : "shots");
 }
 
@@ -34,7 +35,7 @@ void note_goal(const RuleBook& book, const RuleState& rules, const RuleHost& hos
     if (!hold(book, rules, host, wanted.needs)) return;
     const double spent = wanted.counts == Counts::seconds
                              ? static_cast<double>(host.now() - goal.begun) / host.rate()
-                         : wanted.counts == Counts::value
+                         : wanted.counts == Counts::value || wanted.counts == Counts::cost
                              ? static_cast<double>(value_of(book, rules, host, wanted.value))
                              : static_cast<double>(goal.shots);
     goal.done = {goal.shots, host.now(), stars_within(wanted, spent), spent};

@@ -31,7 +31,8 @@ struct GoalState {
 inline constexpr int most_stars = 3;
 
 /// Three stars within the first limit, two within the second, one within the third, else none; a
-/// goal without limits gives three. Of a goal that counts a value, the limits are the least.
+/// goal without limits gives three. Of a goal that counts a value (LevelGoal::Counts::value), the
+/// limits are the least.
 int stars_within(const LevelGoal& goal, double spent);
 
 /// Notes that the level's goal is reached, if it is. Pre: the tick is over.

@@ -25,9 +25,9 @@
 ///     on cue rail if balls<2        cushions +1
 ///     on cue hit ball once          balls +1
 ///     on shot ends if balls=2 and cushions>=3  score 1
-///     on shot ends if balls=2 and cushions<3   message "{cushions} cushions before the second",
-///     turn on shot ends if balls<2       message "no second ball", turn on shot judged if score=15
-///     win
+///     on shot ends if balls=2 and cushions<3   turn, message "{cushions} cushions before it"
+///     on shot ends if balls<2                  turn, message "no second ball"
+///     on shot judged if score=15               win
 ///
 /// A hole of mini-golf, two players, the fewest strokes win:
 ///
@@ -259,11 +259,16 @@ struct RuleTask {
 struct LevelGoal {
     std::string text;
     std::vector<RuleClause> needs;
-    enum class Counts : std::uint8_t { shots, seconds, value };
+    enum class Counts : std::uint8_t {
+        shots,
+        seconds,
+        value,  ///< `with`: the more of `value`, the better
+        cost    ///< `within`: the less of `value`, the better
+    };
     Counts counts = Counts::shots;
-    RuleValue value{};  ///< what is counted, of Counts::value
-    /// For three stars, two and one: at most so many shots or seconds, ascending; or at least that
-    /// value, descending.
+    RuleValue value{};  ///< of Counts::value and cost
+    /// For three stars, two and one: at most so many shots or seconds, or that cost, ascending; or
+    /// at least that value, descending.
     std::vector<double> limits;
 };
 

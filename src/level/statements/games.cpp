@@ -189,9 +189,9 @@ std::vector<Statement> game_statements() {
          .plain_most = many,
          .is_sentence = true},
         {.name = "goal",
-         .usage =
-             "goal \"TEXT\" [within N [N [N]] shots|seconds | with N [N [N]] of VALUE] if|unless "
-             "CONDITION [and CONDITION ...] ...",
+         .usage = "goal \"TEXT\" [within N [N [N]] shots|seconds|of VALUE | with N [N [N]] of "
+                  "VALUE] if|unless "
+                  "CONDITION [and CONDITION ...] ...",
          .action = add_goal,
          .place = Place::top,
          .plain_least = 3,

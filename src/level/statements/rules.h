@@ -14,7 +14,7 @@ void add_variable(const Arguments& arguments, const Frame& frame, Context& conte
 void add_timer(const Arguments& arguments, const Frame& frame, Context& context);
 /// `task "TEXT" [if ...]`
 void add_task(const Arguments& arguments, const Frame& frame, Context& context);
-/// `goal "TEXT" [within N [N [N]] shots|seconds | with N [N [N]] of VALUE] if ...`
+/// `goal "TEXT" [within N [N [N]] shots|seconds|of VALUE | with N [N [N]] of VALUE] if ...`
 void add_goal(const Arguments& arguments, const Frame& frame, Context& context);
 
 }  // namespace carom

@@ -219,3 +219,33 @@ TEST_CASE("a goal may count a value of the rules: three stars for the most") {
     CHECK_FALSE(loaded_with("with 3 2 1").scene);
     CHECK_FALSE(loaded_with("with 3 2 1 of").scene);
 }
+
+TEST_CASE("a goal may allow at most so much of a value: three stars for the least") {
+    const std::string rules =
+        "game shots\nvar strokes\n"
+        "on shot begins  strokes +1\n"
+        "on cue pocketed  strokes +2\n"
+        "on shot ends if count(red)=0  end\n";
+    const Scene scene =
+        scene_of(table + rules + "goal \"Pot it.\" within 1 2 4 of strokes if count(red)=0\n");
+    const auto after = [&](std::initializer_list<Vec2> shots) {
+        Session session(scene, {.kind = SolverKind::event});
+        session.step_forward();
+        for (const Vec2 velocity : shots) {
+            const auto& state = std::get<ShotsState>(session.game());
+            REQUIRE_FALSE(session.apply(command::Strike{*cue_ball_of(scene, state), velocity}));
+            while (std::get<ShotsState>(session.game()).is_shooting)
+                session.step_forward();
+        }
+        return std::pair(stars_of(session.game()),
+                         task_text(scene, session.world(), session.game()));
+    };
+    const Vec2 soft{-0.2, 0.0};
+    const Vec2 pot{2.5, 0.0};
+    CHECK(after({}) == std::pair(0, std::string("Pot it.")));
+    CHECK(after({pot}) == std::pair(3, std::string("Done with 1: 3 of 3 stars")));
+    CHECK(after({soft, pot}) == std::pair(2, std::string("Done with 2: 2 of 3 stars")));
+    CHECK(after({soft, soft, pot}) == std::pair(1, std::string("Done with 3: 1 of 3 stars")));
+    CHECK(after({soft, soft, soft, soft, pot}) ==
+          std::pair(0, std::string("No star with 5: it takes 4")));
+}
