@@ -55,7 +55,7 @@ std::optional<Box> box_to_look_at(const Scene& scene, const ShotsState& state) {
 
 std::string task_text(const Scene& scene, const World& world, const ShotsState& state) {
     const ShotsAnswers answers(scene, world, state);
-    if (!state.goal.done)
+    if (!state.goal.done && !state.is_over)
         if (std::string task = task_text(scene.rules, state.rules, answers); !task.empty())
             return task;
     return goal_text(scene.rules, state.goal);

@@ -363,3 +363,13 @@ on shot judged if shots=9  end
     game.shoot_softly();
     CHECK(game.score(0) == 12);
 }
+
+TEST_CASE("shots: a game that is over has no task") {
+    Game game("game shots\non shot judged  end\ntask \"HIT THE RED\"\n");
+    const auto task = [&] {
+        return task_text(game.session.scene(), game.session.world(), game.state());
+    };
+    CHECK(task() == "HIT THE RED");
+    game.shoot_softly();
+    CHECK(task().empty());
+}
