@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "level/assemble/rule_assembly.h"
@@ -152,6 +153,14 @@ std::optional<std::uint32_t> RuleAssembly::place_named(const Word& name, bool is
     const bool fits = found && (is_edge ? !places_[*found].capsules.empty() : has_zones(*found));
     if (fits) return found;
     if (has_error(name.text) || (is_edge && is_ball(name.text))) return std::nullopt;
+    constexpr std::array edges{"wall", "walls", "edge", "edges", "cushion", "cushions", "rails"};
+    if (is_edge && std::ranges::count(edges, name.text) > 0) {
+        refuse(
+            "unknown-place", name, fmt::format("no edge is called '{}'", name.text),
+            fmt::format("for any edge, write rail, as in: on cue rail; or name one: edge name={}",
+                        name.text));
+        return std::nullopt;
+    }
     // A ball where a place is wanted must not be suggested again.
     std::vector<std::string_view> known = known_names();
     std::erase(known, name.text);
@@ -236,6 +245,11 @@ bool RuleAssembly::resolve_visit(RuleIr& spec) {
     Rule& rule = spec.rule;
     const bool is_pocketed = rule.event == RuleEvent::pocketed;
     if (rule.event == RuleEvent::enter) rule.event = RuleEvent::place_entered;
+    if (is_pocketed && !find_balls(spec.subject.text) && find_place(spec.subject.text)) {
+        refuse("event-malformed", spec.subject, "balls are pocketed: their name stands first",
+               fmt::format("write it as: on ball pocketed {}", spec.subject.text));
+        return false;
+    }
     const auto balls = is_pocketed ? balls_named(spec.subject) : find_balls(spec.subject.text);
     if (is_pocketed && !balls) return false;
     if (balls && !is_pocketed && !spec.other) {

@@ -34,6 +34,7 @@ struct RuleIr {
     Word event;
     std::optional<Word> other;
     std::vector<RuleNameIr> names;
+    Word needs;                 ///< the first word of its conditions; else its event
     std::vector<Word> actions;  ///< the word of each of the rule's actions
 };
 

@@ -285,14 +285,15 @@ bool read_rule_action(std::span<const Word> words, const Scope& scope, Context& 
             return false;
         }
         std::vector<std::string_view> known = names_offered(context);
-        const std::string all = fmt::format("{}", fmt::join(known, " "));
+        const std::string otherwise =
+            looks_like_variable(words)
+                ? fmt::format("declare it above: var {}", words[0].text)
+                : fmt::format("there are: {}, and variables (var NAME)", fmt::join(known, " "));
         for (const auto& [name, symbol] : context.ir.rule_symbols)
             known.push_back(name);
-        context.reporter.error(
-            "unknown-action", words[0].span(),
-            fmt::format("there is no action '{}'", words[0].text),
-            did_you_mean(words[0].text, known,
-                         fmt::format("there are: {}, and variables (var NAME)", all)));
+        context.reporter.error("unknown-action", words[0].span(),
+                               fmt::format("there is no action '{}'", words[0].text),
+                               did_you_mean(words[0].text, known, otherwise));
         return false;
     }
     const Counts counts = words_of(shape->takes);

@@ -67,6 +67,8 @@ std::optional<RuleCondition> RuleWords::condition(const std::vector<Word>& words
     if (next + 2 < words.size() && sign_at(words[next + 1].text) &&
         sign_at(words[next + 1].text)->text == words[next + 1].text) {
         next += 3;
+        if (auto advice = advice_on_condition(words[next - 1].text))
+            return refuse(words[next - 1], std::move(*advice));
         return comparison(word, words[next - 2].text, words[next - 1]);
     }
     ++next;

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "level/statements/rule_actions.h"
+#include "level/text/spelling.h"
 
 namespace carom {
 namespace {
@@ -18,11 +21,31 @@ bool is_lead(std::string_view word) {
     return word == "if" || word == "while" || word == "unless";
 }
 
-// `made+=1` and `made=1`: the form that a rule has. `sign` begins with + - or =.
+// `made+=1`, `made=1` and `made=made+1`: the form that a rule has. `sign` begins with + - or =.
 std::string assignment(std::string_view name, std::string_view sign, std::string_view value) {
     const bool adds = sign.front() != '=';
     if (value.empty()) value = "1";
+    const std::string_view rest = value.substr(std::min(name.size(), value.size()));
+    const bool adds_to_itself =
+        value.starts_with(name) && rest.size() > 1 && (rest[0] == '+' || rest[0] == '-');
+    if (adds_to_itself) return fmt::format("write it as: {} {}", name, rest);
     return fmt::format("write it as: {} {}{}", name, adds ? sign.substr(0, 1) : "", value);
+}
+
+bool is_among(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+// `(made>1)`, or the first word of `(made and fell)`: a bracket that closes behind a sign, if at
+// all. `(a+b)*2>3` is a value.
+bool groups_conditions(std::string_view word) {
+    const std::string_view value = word.substr(0, word.find_first_of("<>=!"));
+    return word.starts_with('(') && std::ranges::count(value, '(') > std::ranges::count(value, ')');
+}
+
+bool is_comparison(std::string_view word) {
+    const std::size_t sign = word.find_first_of("<>!");
+    return sign != 0 && sign != std::string_view::npos;
 }
 
 }  // namespace
@@ -40,7 +63,18 @@ std::optional<RuleAdvice> advice_on_condition(std::string_view word) {
     if (word == "else")
         return RuleAdvice{"there is no 'else'", "write a second line, with unless in place of if"};
     if (contains(word, "==")) return RuleAdvice{"a comparison has one '='", "write it as: made=1"};
-    if (word.starts_with('(') && std::ranges::count(word, '(') != std::ranges::count(word, ')'))
+    if (contains(word, "=>")) return RuleAdvice{"there is no '=>'", "at least is >=: made>=1"};
+    if (contains(word, "=<")) return RuleAdvice{"there is no '=<'", "at most is <=: made<=1"};
+    if (contains(word, "<>")) return RuleAdvice{"there is no '<>'", "unequal is !=: made!=1"};
+    if (word == "is") return RuleAdvice{"there is no 'is'", "compare with a sign: player=1"};
+    if (word == "count" || word == "lit")
+        return RuleAdvice{fmt::format("{} needs brackets", word),
+                          fmt::format("write it without blanks, as in: {}(red)=0", word)};
+    if (word.ends_with(':') || word.ends_with(';'))
+        return RuleAdvice{
+            fmt::format("there is no '{}' in rules", word.back()),
+            "a blank ends a condition, and a comma an action: if made=1 score 1, turn"};
+    if (groups_conditions(word))
         return RuleAdvice{"brackets do not group conditions",
                           "join them by and; for or, write the line twice"};
     return std::nullopt;
@@ -50,6 +84,14 @@ RuleAdvice advice_on_value(std::string_view text) {
     if (contains(text, "/") || contains(text, "%"))
         return {fmt::format("'{}' is not a value: rules do not divide", text),
                 "multiply the other side of the comparison, as in 2*made>=shots"};
+    if (std::ranges::count(text, '(') > std::ranges::count(text, ')'))
+        return {fmt::format("'{}' ends within its brackets", text),
+                "write it without blanks, as in: count(red,tray)"};
+    if (contains(text, ",") && !contains(text, "("))
+        return {"no comma joins conditions", "write and, between blanks: if made and count(red)=0"};
+    if (contains(text, "="))
+        return {fmt::format("'{}' is not a value", text),
+                "write the number alone: made 1 sets, made +1 and made -1 add"};
     return {fmt::format("'{}' is not a value", text),
             "write a number, a variable, or + - * of them without spaces: 100*mode"};
 }
@@ -60,6 +102,12 @@ std::optional<RuleAdvice> advice_on_action(std::string_view word, const Context&
     if (is_lead(word))
         return RuleAdvice{"the conditions of a rule stand together",
                           "write them before the first action"};
+    if (is_among(word, {"in", "into", "at", "on", "by", "with", "from", "the", "a", "to"}))
+        return RuleAdvice{fmt::format("rules do without '{}'", word),
+                          "leave it out, as in: on red pocketed corner  score 1"};
+    if (is_comparison(word))
+        return RuleAdvice{fmt::format("'{}' is a condition", word),
+                          "write if before it; or and, behind another condition"};
     const std::size_t sign = word.find_first_of("+-=");
     if (sign == 0 || sign == std::string_view::npos) return std::nullopt;
     const std::string_view name = word.substr(0, sign);
@@ -69,6 +117,40 @@ std::optional<RuleAdvice> advice_on_action(std::string_view word, const Context&
         fmt::format("a blank is missing behind '{}'", name),
         assignment(name, word.substr(sign),
                    value == std::string_view::npos ? std::string_view{} : word.substr(value))};
+}
+
+std::optional<RuleAdvice> advice_on_event(std::string_view subject, std::string_view event,
+                                          const Context& context) {
+    if (is_among(event, {"is", "are", "was", "gets", "has", "it"}))
+        return RuleAdvice{fmt::format("there is no event '{}'", event),
+                          fmt::format("leave it out, as in: on {} pocketed", subject)};
+    if (is_among(subject, {"hit", "rail", "pocketed", "enter", "leave", "all"}))
+        return RuleAdvice{fmt::format("'{}' stands behind what it happens to", subject),
+                          fmt::format("write it as: on {} {}", event, subject)};
+    if (subject == "timer")
+        return RuleAdvice{"a timer is called by its name alone",
+                          fmt::format("write it as: on {} ends", event)};
+    if (subject == "player" || subject.starts_with("player"))
+        return RuleAdvice{"a player has no events of its own",
+                          "ask whose turn it is: on turn begins if player=2"};
+    if (!is_among(event, {"begins", "ends", "judged", "begin", "end", "starts"}))
+        return std::nullopt;
+    const std::string_view moment =
+        event == "judged" || event.starts_with("end") ? "ends" : "begins";
+    std::vector<std::string_view> known{"shot"};
+    if (moment == "begins") known.insert(known.end(), {"game", "turn"});
+    for (const auto& [name, symbol] : context.ir.rule_symbols)
+        if (symbol.is_timer && moment == "ends") known.push_back(name);
+    return RuleAdvice{
+        fmt::format("'{}' neither begins nor ends", subject),
+        did_you_mean(subject, known,
+                     fmt::format("write on shot {}; a timer needs a line above: timer {} 20s",
+                                 moment, subject))};
+}
+
+bool looks_like_variable(std::span<const Word> action) {
+    if (action.size() != 2 || !is_identifier(action[0].text)) return false;
+    return std::string_view("+-0123456789").find(action[1].text.front()) != std::string_view::npos;
 }
 
 RuleAdvice advice_on_extra_word(std::span<const Word> words, std::size_t extra,
@@ -81,12 +163,21 @@ RuleAdvice advice_on_extra_word(std::span<const Word> words, std::size_t extra,
     if (word == "and")
         return {"a comma separates actions", "write it in place of 'and': score 1, turn"};
     if (auto advice = advice_on_condition(word)) return std::move(*advice);
+    if (extra == 2 && is_among(words[1].text, {"=", "+=", "-="})) {
+        std::string value;  // what follows, without the blanks in it
+        for (const Word& part : words.subspan(2))
+            value += part.text;
+        return {fmt::format("a number is changed without '{}'", words[1].text),
+                assignment(words[0].text, words[1].text, value)};
+    }
     if (begins_action(word, context))
         return {fmt::format("a comma is missing before '{}'", word),
                 "separate actions with a comma: score 1, turn"};
-    if (extra == 2 && (words[1].text == "=" || words[1].text == "+=" || words[1].text == "-="))
-        return {fmt::format("a variable is set without '{}'", words[1].text),
-                assignment(words[0].text, words[1].text, word)};
+    if (extra == 2 && is_among(word, {"+", "-", "*"}))
+        return {"a value has no blanks", fmt::format("write it as: {} 2*made+1", words[0].text)};
+    if (extra == 2 && is_among(words[1].text, {"+", "-"}))
+        return {"a value has no blanks",
+                fmt::format("write it as: {} {}{}", words[0].text, words[1].text, word)};
     return {fmt::format("'{}' is not expected here", word),
             fmt::format("write it as: {}; a comma before the next action", sample)};
 }

@@ -22,8 +22,16 @@ std::optional<RuleAdvice> advice_on_condition(std::string_view word);
 /// A value that cannot be read.
 RuleAdvice advice_on_value(std::string_view text);
 
+/// A subject and an event that do not go together, such as `patience ends` without a timer of this
+/// name. None: only the event is unknown.
+std::optional<RuleAdvice> advice_on_event(std::string_view subject, std::string_view event,
+                                          const Context& context);
+
 /// An action that is not known. None: it resembles nothing.
 std::optional<RuleAdvice> advice_on_action(std::string_view word, const Context& context);
+
+/// Whether an unknown action has the form `total +1` or `total 3`, which sets a variable.
+bool looks_like_variable(std::span<const Word> action);
 
 /// An action with a word too many, which is words[extra]. `sample` shows its form.
 RuleAdvice advice_on_extra_word(std::span<const Word> words, std::size_t extra,

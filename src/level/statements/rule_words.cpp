@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "level/ir/numbers.h"
+#include "level/statements/rule_actions.h"
 #include "level/statements/rule_habits.h"
 #include "level/text/spelling.h"
 
@@ -85,6 +86,19 @@ std::nullopt_t RuleWords::malformed(const Word& at) {
     return std::nullopt;
 }
 
+// Whether a line above names balls, or a kind of them, so. Of many lines, only the first are asked.
+bool RuleWords::is_ball_above(std::string_view name) const {
+    const auto is_named = [&](const BallBinding& ball) {
+        return ball.name && ball.name->text == name;
+    };
+    const auto& balls = context_.ir.ball_bindings;
+    const auto last =
+        balls.begin() + static_cast<std::ptrdiff_t>(std::min(balls.size(), max_candidates));
+    return std::any_of(balls.begin(), last, is_named) ||
+           std::ranges::any_of(context_.ir.kinds,
+                               [&](const KindIr& kind) { return kind.name.text == name; });
+}
+
 // Reports the first name in `word` that neither the rules nor the numbers of the level know. A
 // function is none of the names to suggest: what is missing is a variable.
 bool RuleWords::knows_names(const Word& word) {
@@ -108,6 +122,20 @@ bool RuleWords::knows_names(const Word& word) {
         if (name == "pi" || context_.ir.rule_symbols.contains(name) || rule_quantity_named(name) ||
             scope_.find(name, cost) || context_.top_level_lets.contains(name))
             continue;
+        if (is_ball_above(name)) {
+            context_.reporter.error(
+                "unknown-name", word.part(from, at - from).span(),
+                fmt::format("'{}' names balls, which are no number", name),
+                fmt::format("to count those on the table, write count({})", name));
+            return false;
+        }
+        if (begins_action(name, context_)) {
+            context_.reporter.error(
+                "unknown-name", word.part(from, at - from).span(),
+                fmt::format("'{}' is an action, which is no number", name),
+                fmt::format("there are variables, and: {}", fmt::join(quantity_names, " ")));
+            return false;
+        }
         std::vector<std::string_view> known(std::begin(quantity_names), std::end(quantity_names));
         for (const auto& [other, symbol] : context_.ir.rule_symbols)
             known.push_back(other);
@@ -124,6 +152,7 @@ bool RuleWords::knows_names(const Word& word) {
 }
 
 std::optional<RuleValue> RuleWords::value(const Word& word, std::string_view label, Bound bound) {
+    if (word.text.find('=') != std::string_view::npos) return malformed(word);
     if (!knows_names(word)) return std::nullopt;
     if (!mentions_rules(word.text)) {
         const auto number =

@@ -37,6 +37,7 @@ class RuleWords {
   private:
     struct Cursor;
     bool mentions_rules(std::string_view text) const;
+    bool is_ball_above(std::string_view name) const;
     bool knows_names(const Word& word);
     bool sum(Cursor& cursor, RuleValue& out);
     bool product(Cursor& cursor, RuleValue& out);

@@ -53,12 +53,13 @@ class RuleReader {
         rule.subject = words_[0];
         rule.event = words_[1];
         std::size_t next = 2;
-        if (!read_event(rule, next)) return std::nullopt;
+        if (!read_event(rule, next) || !ends_event(rule, next)) return std::nullopt;
         if (next < words_.size() && words_[next].text == "once") {
             rule.rule.once = true;
             ++next;
         }
         const std::size_t conditions = next;
+        rule.needs = next < words_.size() ? words_[next] : rule.event;
         auto needs = read_needs(reader, next);
         if (!needs) return std::nullopt;
         rule.rule.needs = std::move(*needs);
@@ -108,7 +109,37 @@ class RuleReader {
             if (row.takes_other && has_other(next)) rule.other = words_[next++];
             return true;
         }
+        if (!is_moment)
+            if (auto advice = advice_on_event(rule.subject.text, word.text, context_)) {
+                context_.reporter.error("unknown-event", rule.subject.span(),
+                                        std::move(advice->message), std::move(advice->remedy));
+                return false;
+            }
+        const LevelSettings& settings = context_.ir.settings;
+        if (settings.is_shots)
+            std::erase_if(known, [](std::string_view name) {
+                return name == "all" || name == "launch" || name == "drain";
+            });
+        if (settings.table.is_game)
+            std::erase_if(known, [](std::string_view name) {
+                return name == "leave" || name == "rail" || name == "pocketed";
+            });
         return refuse_event(word, known);
+    }
+
+    // Nothing joins an event to what stands behind it, or to a second event.
+    bool ends_event(const RuleIr& rule, std::size_t next) {
+        const auto stop = [&](const Word& at, std::string message, std::string remedy) {
+            context_.reporter.error("event-malformed", at.span(), std::move(message),
+                                    std::move(remedy));
+            return false;
+        };
+        if (rule.other && rule.other->text.ends_with(','))
+            return stop(*rule.other, "no comma stands behind the event", "leave the comma out");
+        if (next < words_.size() && (words_[next].text == "and" || words_[next].text == "or"))
+            return stop(words_[next], "a rule waits for one event",
+                        "write the line twice, once for each; or ball, for any ball");
+        return true;
     }
 
     bool refuse_event(const Word& word, const std::vector<std::string_view>& known) {
@@ -130,7 +161,8 @@ class RuleReader {
         if (next + 1 >= words_.size()) return false;
         const std::string_view word = words_[next].text;
         const auto is_lead = [](std::string_view text) {
-            return text == "once" || text == "if" || text == "while" || text == "unless";
+            return text == "once" || text == "if" || text == "while" || text == "unless" ||
+                   text == "and" || text == "or";
         };
         if (is_lead(word)) return false;
         if (is_ball_word(word)) return true;
@@ -156,7 +188,9 @@ class RuleReader {
             if (!read_rule_action(action, scope_, context_, reader, rule)) return false;
             action.clear();
             if (ends && next + 1 == words_.size()) {
-                refuse("action-missing", words_[next], "an action is missing behind the comma");
+                context_.reporter.error("action-missing", words_[next].span(),
+                                        "an action is missing behind the comma",
+                                        "leave the comma out; a line goes on behind a \\");
                 return false;
             }
         }
@@ -226,12 +260,17 @@ void add_variable(const Arguments& arguments, const Frame&, Context& context) {
         const auto scope =
             words.size() == 3 && words[1].text == "of" ? scope_named(words[2].text) : std::nullopt;
         if (!scope) {
-            const Word& at = words.back();
+            const bool is_of = words[1].text == "of" || words[1].text == "start";
+            const Word& at = is_of ? words.back() : words[1];
+            const bool at_start = words.size() == 3 && words[1].text == "start";
             context.reporter.error(
                 "unknown-scope", at.span(), fmt::format("'{}' is not expected here", at.text),
-                did_you_mean(at.text, {"game", "player", "turn", "shot"},
-                             fmt::format("write it as: var {} of shot (or game, player, turn)",
-                                         words[0].text)));
+                did_you_mean(
+                    at.text, {"game", "player", "turn", "shot"},
+                    at_start ? fmt::format("write it as: var {} start={}", words[0].text, at.text)
+                             : fmt::format("write it as: var {} of shot (or game, "
+                                           "player, turn)",
+                                           words[0].text)));
             return;
         }
         variable.scope = *scope;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace carom {
 namespace {
@@ -13,7 +12,7 @@ struct Synonym {
     std::string_view written;
     std::string_view meant;
 };
-constexpr std::array<Synonym, 50> synonyms{{
+constexpr Synonym synonyms[] = {
     // statements
     {"wall", "edge"},
     {"line", "edge"},
@@ -38,6 +37,24 @@ constexpr std::array<Synonym, 50> synonyms{{
     {"plot", "show"},
     {"text", "label"},
     {"rectangle", "rect"},
+    {"if", "on"},
+    {"when", "on"},
+    {"rule", "on"},
+    // events, conditions and actions of rules
+    {"potted", "pocketed"},
+    {"sunk", "pocketed"},
+    {"sinks", "pocketed"},
+    {"falls", "pocketed"},
+    {"touches", "hit"},
+    {"strikes", "hit"},
+    {"collides", "hit"},
+    {"bounces", "rail"},
+    {"exits", "leave"},
+    {"points", "score"},
+    {"say", "message"},
+    {"print", "message"},
+    {"pass", "turn"},
+    {"quit", "end"},
     // terms, and units
     {"friction", "spin"},
     {"torus", "wrap"},
@@ -67,7 +84,7 @@ constexpr std::array<Synonym, 50> synonyms{{
     {"rotate", "turn"},
     {"interval", "every"},
     {"colour", "color"},
-}};
+};
 
 }  // namespace
 
@@ -101,6 +118,12 @@ int edit_distance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
+// ASCII letters only, as names have.
+bool differ_in_case_only(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 32) : c; };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              const std::vector<std::string_view>& candidates) {
     constexpr std::size_t longest = 64;  // bounds the work
@@ -111,6 +134,7 @@ std::optional<std::string_view> nearest_word(std::string_view word,
     std::size_t best_distance = std::max(std::size_t{1}, word.size() / 3);
     for (const std::string_view candidate : candidates) {
         if (++tried > max_candidates) break;
+        if (differ_in_case_only(word, candidate)) return candidate;
         if (candidate.size() < 2 || candidate.size() > word.size() + best_distance ||
             candidate.size() + best_distance < word.size()) {
             continue;

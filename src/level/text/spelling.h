@@ -21,9 +21,9 @@ inline constexpr std::size_t max_candidates = 1000;
 std::optional<std::string_view> meant_by(std::string_view word,
                                          const std::vector<std::string_view>& candidates);
 
-/// The candidate that `word` is another usual name of, as "radius" of "r"; else the one with the
-/// lowest edit distance to it, the first in a tie. None: all distances exceed a third of its
-/// letters (and 1).
+/// The candidate that `word` is another usual name of, as "radius" of "r"; else the one that
+/// differs from it in upper and lower case only; else the one with the lowest edit distance to it,
+/// the first in a tie. None: all distances exceed a third of its letters (and 1).
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              const std::vector<std::string_view>& candidates);
 

@@ -1,0 +1,130 @@
+#include <string>
+#include <string_view>
+
+#include <doctest/doctest.h>
+
+#include "level/load.h"
+
+using namespace carom;
+
+// What an author is told who writes rules for the first time. The words matter here: a message is
+// of use if it names the fault and a form that the language accepts.
+namespace {
+
+constexpr std::string_view table = R"(carom 1 "A table with rules"
+units mm
+use cloth slide=0.2 roll=0.01 spin=10rad/s2
+kind ivory r=30 m=210g e=0.95
+box 0,0 1400,700 r=10
+pocket hole at=1250,350 r=60
+zone trap 700,600 700,600 r=50
+ball white at=300,350 kind=ivory
+ball red at=900,350 kind=ivory
+cue ball=white power=0..6m/s
+timer hurry 20s
+game shots players=2
+var hits of shot
+on cue hit red   hits +1
+on shot ends unless hits  turn
+on shot judged if score>=10  win
+on hurry ends  foul "slow"
+on shot begins  start hurry
+)";
+
+LoadResult load(std::string_view lines) {
+    return load_level(std::string(table) + std::string(lines) + "\n", "table.level", {});
+}
+
+struct Told {
+    std::string_view line;
+    std::string_view message;  // or a part of it
+    std::string_view remedy;
+};
+
+void check_that(const Told& told) {
+    CAPTURE(told.line);
+    const LoadResult result = load(told.line);
+    REQUIRE(result.diagnostics.size() == 1);
+    const Diagnostic& diagnostic = result.diagnostics.front();
+    CAPTURE(diagnostic.message);
+    CAPTURE(diagnostic.remedy);
+    CHECK(diagnostic.message.find(told.message) != std::string::npos);
+    CHECK(diagnostic.remedy.find(told.remedy) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("rules: the table of these tests has no faults of its own") {
+    CHECK(load("").diagnostics.empty());
+}
+
+TEST_CASE("rules: events that do not exist are told with those that do") {
+    constexpr Told cases[] = {
+        {"on shots ends  score 1", "'shots' neither begins nor ends", "'shot'"},
+        {"on patience ends  turn", "'patience' neither begins", "timer patience 20s"},
+        {"on timer hurry ends  turn", "by its name alone", "on hurry ends"},
+        {"on player 2 begins  score 1", "no events of its own", "on turn begins if player=2"},
+        {"on red potted  score 1", "no event 'potted'", "'pocketed'"},
+        {"on red is pocketed  score 1", "no event 'is'", "on red pocketed"},
+        {"on hit red cue  score 1", "'hit' stands behind", "on red hit"},
+        {"on red pocketed in hole  score 1", "do without 'in'", "on red pocketed corner"},
+        {"on hole pocketed  score 1", "their name stands first", "on ball pocketed hole"},
+        {"on cue hit red and white  score 1", "waits for one event", "the line twice"},
+        {"on cue hit red, turn", "no comma stands behind the event", "leave the comma out"},
+        {"on CUE hit red  score 1", "'CUE'", "'cue'"},
+        {"on cue hit wall  score 1", "no edge is called 'wall'", "on cue rail"},
+        {"if hits>1  score 1", "'if' is not a statement", "'on'"},
+    };
+    for (const Told& told : cases)
+        check_that(told);
+}
+
+TEST_CASE("rules: conditions from other languages are told in this one") {
+    constexpr Told cases[] = {
+        {"on shot ends hits>1  score 1", "'hits>1' is a condition", "write if before it"},
+        {"on shot ends if hits=>1  score 1", "no '=>'", ">="},
+        {"on shot ends if hits=<1  score 1", "no '=<'", "<="},
+        {"on shot ends if hits<>1  score 1", "no '<>'", "!="},
+        {"on shot ends if (hits>1)  score 1", "brackets do not group", "join them by and"},
+        {"on shot ends if hits>1:  score 1", "no ':'", "a blank ends a condition"},
+        {"on shot ends if score >= 10:  win", "no ':'", "a blank ends a condition"},
+        {"on shot ends if player is 1  score 1", "no 'is'", "player=1"},
+        {"on shot ends if count red = 0  score 1", "count needs brackets", "count(red)=0"},
+        {"on shot ends if count(red, trap)=1  score 1", "ends within its brackets", "blanks"},
+        {"on shot ends if count(red)=0,hits=1  score 1", "no comma joins", "write and"},
+        {"on shot ends if red=0  score 1", "'red' names balls", "count(red)"},
+        {"on shot ends if turn=2  score 1", "'turn' is an action", "player"},
+    };
+    for (const Told& told : cases)
+        check_that(told);
+}
+
+TEST_CASE("rules: actions and variables from other languages are told in this one") {
+    constexpr Told cases[] = {
+        {"on shot ends  score = score + 1", "without '='", "score +1"},
+        {"on shot ends  hits=hits+1", "blank is missing", "hits +1"},
+        {"on shot ends  score - 1", "no blanks", "score -1"},
+        {"on shot ends  score 2 * hits", "no blanks", "score 2*"},
+        {"on shot ends  hits -=1", "'-=1' is not a value", "made -1"},
+        {"on shot ends  total +1", "no action 'total'", "var total"},
+        {"on shot ends  score 1,", "an action is missing", "leave the comma out"},
+        {"var made start 3", "'3' is not expected", "var made start=3"},
+        {"var made on shot", "'on' is not expected", "var made of shot"},
+    };
+    for (const Told& told : cases)
+        check_that(told);
+}
+
+TEST_CASE("rules: a goal says what its limits are and when it is reached") {
+    constexpr Told cases[] = {
+        {"goal \"x\" within 3 shot if hits", "'shot'", "'shots'"},
+        {"goal \"x\" within 3 2 1 shots if hits", "at most so much", "within 1 2 3 shots"},
+        {"goal \"x\" with 1 2 3 of hits if hits", "at least so much", "with 5 4 3 of made"},
+        {"goal \"x\" within 1 2 3 4 shots if hits", "three limits at most", "leave this one out"},
+        {"goal \"x\" within 3 shots", "does not say when", "if count(red)=0"},
+        {"goal \"x\" if hits within 3 shots", "before the condition", "within N"},
+        {"goal x within 3 shots if hits", "in quotes", "goal \"Pocket the red.\""},
+    };
+    for (const Told& told : cases)
+        check_that(told);
+}
