@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "level/assemble/futile_rules.h"
 #include "level/statements/rule_actions.h"
 
 namespace carom {
@@ -232,6 +233,7 @@ void RuleAssembly::check() {
     if (!has_game()) return;
     check_game();
     check_events();
+    warn_of_futile_rules(book_, facts(), context_);
 }
 
 void RuleAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones) {

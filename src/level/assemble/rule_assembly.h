@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "level/assemble/assemble.h"
+#include "level/assemble/futile_rules.h"
 #include "level/assemble/pinball_assembly.h"
 #include "level/assemble/resolve_names.h"
 #include "level/scene/scene.h"
@@ -71,9 +72,9 @@ class RuleAssembly {
     void check_devices();
     void check_use_of_devices();
     void check_events();
+    RuleFacts facts();
     bool has_action(std::initializer_list<RuleAction::What> wanted) const;
     bool has_action(RuleAction::What wanted, std::uint32_t index) const;
-    bool has_pockets() const;
 
     /// Before the world exists: balls and zones by their indices in the IR.
     struct BallsIr {

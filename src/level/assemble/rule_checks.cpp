@@ -6,6 +6,13 @@
 
 // What is no error in rules, but of no use: members of RuleAssembly.
 namespace carom {
+namespace {
+
+bool is_sink(const ZoneIr& zone) {
+    return zone.is_pocket || zone.zone.effect == Zone::Effect::sink;
+}
+
+}  // namespace
 
 bool RuleAssembly::has_action(std::initializer_list<RuleAction::What> wanted) const {
     return std::ranges::any_of(book_.rules, [&](const Rule& rule) {
@@ -20,12 +27,6 @@ bool RuleAssembly::has_action(RuleAction::What wanted, std::uint32_t index) cons
         return std::ranges::any_of(rule.actions, [&](const RuleAction& action) {
             return action.what == wanted && action.index == index;
         });
-    });
-}
-
-bool RuleAssembly::has_pockets() const {
-    return std::ranges::any_of(ir_.zones, [](const ZoneIr& zone) {
-        return zone.is_pocket || zone.zone.effect == Zone::Effect::sink;
     });
 }
 
@@ -137,16 +138,49 @@ void RuleAssembly::check_game() {
                                   "add a line: use cloth slide=0.2 roll=0.01 spin=10");
 }
 
+RuleFacts RuleAssembly::facts() {
+    RuleFacts facts;
+    const bool has_more_balls = !ir_.fills.empty() || !ir_.emitters.empty();
+    const bool has_one_cue = ir_.cues.size() == 1;
+    const auto struck = has_one_cue ? find_balls(ir_.cues.front().ball.text) : std::nullopt;
+    facts.has_one_cue_ball = struck && ball_sets_[*struck].balls.size() == 1;
+    for (const BallsIr& set : ball_sets_) {
+        const bool is_listed = set.who == RuleBalls::Who::listed;
+        const std::size_t balls = is_listed ? set.balls.size() : balls_.size();
+        facts.balls.push_back(has_more_balls ? most_rule_number : static_cast<std::int64_t>(balls));
+    }
+    for (const PlaceIr& place : places_)
+        facts.takes_balls.push_back(!place.zones.empty() &&
+                                    std::ranges::all_of(place.zones, [&](std::uint32_t zone) {
+                                        return is_sink(ir_.zones[zone]);
+                                    }));
+    return facts;
+}
+
 // Rules whose events nothing on the table can cause.
 void RuleAssembly::check_events() {
+    const RuleFacts known = facts();
+    const auto is_cue_and_opponent = [&](const Rule& rule) {
+        using enum RuleBalls::Who;
+        const auto a = ball_sets_[rule.subject].who;
+        const auto b = ball_sets_[rule.other].who;
+        return (a == cue && b == opponent) || (a == opponent && b == cue);
+    };
     for (const RuleIr& spec : ir_.rules) {
         using enum RuleEvent;
         const auto warn = [&](std::string message, std::string remedy) {
             context_.reporter.warning("event-never-happens", spec.event.span(), std::move(message),
                                       std::move(remedy));
         };
-        if (spec.rule.event == pocketed && !has_pockets())
+        if (spec.rule.event == pocketed && std::ranges::none_of(ir_.zones, is_sink))
             warn("there are no pockets on this table", "add one: pocket NAME at=0,0 r=62");
+        else if (spec.rule.event == pocketed && spec.other && !known.takes_balls[spec.rule.other])
+            warn(fmt::format("balls pass through '{}', which takes none", spec.other->text),
+                 "write the word sink in the line of the zone, or wait for enter");
+        else if (spec.rule.event == balls_meet && known.has_one_cue_ball &&
+                 is_cue_and_opponent(spec.rule))
+            warn("with one cue, the ball of the opponent is the cue ball itself",
+                 "add a line for each player: cue ball=NAME power=A..B");
         else if (spec.rule.event == rail && ir_.capsules.empty())
             warn("there are no edges on this table", "add one: box 0,0 100,60");
         else if (spec.rule.event == launch &&

@@ -113,6 +113,8 @@ struct RuleStep {
     What what = What::number;
     std::int64_t number = 0;  ///< or the index
     std::int32_t place = -1;  ///< count: index into RuleBook::places; -1: anywhere
+
+    friend bool operator==(const RuleStep&, const RuleStep&) = default;
 };
 using RuleValue = std::vector<RuleStep>;
 
@@ -133,12 +135,16 @@ struct RuleCondition {
     Relation relation = Relation::equal;
     RuleValue left;
     RuleValue right;
+
+    friend bool operator==(const RuleCondition&, const RuleCondition&) = default;
 };
 
 /// `if A and B`: all of them hold; `unless A and B`: not all of them do.
 struct RuleClause {
     std::vector<RuleCondition> all;
     bool is_not = false;
+
+    friend bool operator==(const RuleClause&, const RuleClause&) = default;
 };
 
 /// A text, with values in braces.

@@ -128,3 +128,41 @@ TEST_CASE("rules: a goal says what its limits are and when it is reached") {
     for (const Told& told : cases)
         check_that(told);
 }
+
+TEST_CASE("rules that can do nothing are warned of") {
+    constexpr Told cases[] = {
+        {"on shot ends if hits>1 and hits<1  score 1", "never hold together", "two lines"},
+        {"on shot ends if hits unless hits  score 1", "never hold together", "two lines"},
+        {"on shot ends if hits=1 if 2=hits  score 1", "never hold together", "two lines"},
+        {"on shot ends if count(red)=2  score 1", "such a count is 0 to 1", "that it can have"},
+        {"on shot ends if count(ball)<0  score 1", "such a count is 0 to 2", "that it can have"},
+        {"on shot ends if hurry<0  score 1", "0 or more", "that it can have"},
+        {"on shot ends if count(red,hole)=1  score 1", "never holds", "on BALLS pocketed"},
+        {"on red pocketed trap  score 1", "balls pass through 'trap'", "sink"},
+        {"on cue hit opponent  score 1", "the cue ball itself", "for each player"},
+        {"task \"A\"\ntask \"B\" if hits", "hides this one", "last"},
+        {"task \"A\" if hits>1 and hits<1", "never hold together", "two lines"},
+        {"goal \"A\" if count(red)>1", "such a count is 0 to 1", "that it can have"},
+        {"var total\non shot ends if total>3  score 1", "nothing sets", "total +1"},
+        {"on shot judged if score>=10  lose", "also ends with 'win' in line 16", "keep one"},
+        {"on shot judged if fouls=3  lose, win", "also ends with 'lose'", "keep one"},
+    };
+    for (const Told& told : cases) {
+        check_that(told);
+        CHECK(load(told.line).scene);
+    }
+}
+
+TEST_CASE("rules that resemble those without effect are not warned of") {
+    for (const std::string_view lines :
+         {"on shot ends if hits>=1 and hits<=1  score 1", "on shot ends if hits=2  score 1",
+          "on shot ends if hits!=0 unless hits=1  score 1",
+          "on shot ends unless hits>1 and hits<1  score 1",
+          "on shot ends if count(red,trap)=1  score 1", "on shot ends if count(ball)=2  score 1",
+          "on ball pocketed hole  score 1", "task \"A\" if hits\ntask \"B\"",
+          "var par start=3\non shot ends if hits>par  score 1", "on shot judged if score>=20  lose",
+          "on shot judged if score>=10  win"}) {
+        CAPTURE(lines);
+        CHECK(load(lines).diagnostics.empty());
+    }
+}
