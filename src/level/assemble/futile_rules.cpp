@@ -24,7 +24,7 @@ struct Range {
     std::vector<std::int64_t> excluded{};
 
     void narrow(Relation relation, std::int64_t to) {
-        using enum Relation;
+        using enum RuleCondition::Relation;
         if (relation == unequal) excluded.push_back(to);
         if (relation == equal || relation == at_least) least = std::max(least, to);
         if (relation == equal || relation == at_most) most = std::min(most, to);
@@ -41,7 +41,7 @@ struct Range {
 };
 
 Relation opposite(Relation relation) {
-    using enum Relation;
+    using enum RuleCondition::Relation;
     switch (relation) {
         case equal:
             return unequal;
@@ -61,7 +61,7 @@ Relation opposite(Relation relation) {
 
 // `3<made` is `made>3`.
 Relation swapped(Relation relation) {
-    using enum Relation;
+    using enum RuleCondition::Relation;
     switch (relation) {
         case less:
             return more;
