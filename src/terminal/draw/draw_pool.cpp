@@ -27,16 +27,26 @@ void paint_dot(Raster& raster, RasterPoint at, const Ink& ink) {
         raster.disc(at, 0.0, 0.0, {ink, 255, '\0'});
 }
 
-// In ASCII the number of a small ball is as wide as the ball.
+// A ball of fewer pixels across is no more than the cells of its number.
+bool is_round(const Renderer& renderer, double diameter) {
+    constexpr int least_round = 3;  // pixels
+    return renderer.has_pixels() && diameter * renderer.across >= least_round;
+}
+
+// The number of a small ball is as wide as the ball: in ASCII, and where the ball is no more than
+// the cells of its number.
 std::string label_of(const View& view, int number, double radius) {
     std::string text = std::to_string(number);
-    if (!renderer_in_force(view.options).has_regions()) return text;
     const double columns = 2.0 * radius * view.camera.columns_per_length;
     constexpr double least_two = 1.5;
+    constexpr double least_two_pixels = 1.0;
     constexpr double least_three = 2.5;
     constexpr double least_large = 3.8;  // it has a rim
-    if (columns >= least_large) return text;
-    if (text.size() == 1 && columns >= least_two) text = " " + text;
+    const Renderer& renderer = renderer_in_force(view.options);
+    const bool is_flat = renderer.has_pixels() && !is_round(renderer, columns);
+    if (!is_flat && !renderer.has_regions()) return text;
+    if (columns >= (is_flat ? least_three : least_large)) return text;
+    if (text.size() == 1 && columns >= (is_flat ? least_two_pixels : least_two)) text = " " + text;
     if (columns >= least_three) text += " ";
     return text;
 }
@@ -231,11 +241,8 @@ int number_width(const View& view, std::size_t ball) {
     constexpr double least = 0.8;  // columns
     if (number <= 0 || diameter < least) return 0;
     const int width = static_cast<int>(label_of(view, number, radius).size());
-    constexpr int least_round = 3;   // pixels
     constexpr double margin = 0.75;  // columns
-    const Renderer& renderer = renderer_in_force(view.options);
-    const bool is_round = renderer.has_pixels() && diameter * renderer.across >= least_round;
-    if (is_round && diameter < width + margin) return 0;
+    if (is_round(renderer_in_force(view.options), diameter) && diameter < width + margin) return 0;
     // As wide as the widest, so that a rack has all of its numbers or none.
     constexpr int widest = 2;
     return covers_another(view, ball, std::max(width, widest)) ? 0 : width;

@@ -207,3 +207,23 @@ TEST_CASE("pool table: with few colours no number is bold black, which terminals
         CHECK(numbers == 2);
     }
 }
+
+TEST_CASE("pool table: a small ball is as wide with one digit on it as with two") {
+    const Scene scene = table_with_jaws("ball a at=100,50 r=2.8\nball b at=150,30 r=2.8\n");
+    Annotations annotations = numbered_balls(scene);
+    annotations.pool->numbers[1].number = 7;
+    annotations.pool->numbers[2].number = 10;
+    const Look look = look_with(direct_colors);
+    const PixelPicture picture = pixels_of(scene, look, annotations);
+    for (std::size_t ball : {1, 2}) {
+        CAPTURE(ball);
+        const int number = annotations.pool->numbers[ball].number;
+        const Color own = ball == 1 ? ink_of_pool_ball(number, look).color
+                                    : ink_of(Role::stripe_white, look).color;
+        int cells = 0;
+        for (int row = 0; row < 24; ++row)
+            for (int column = 0; column < 80; ++column)
+                cells += picture.canvas.at(column, row).background == own;
+        CHECK(cells == 2);
+    }
+}
