@@ -26,10 +26,7 @@ bool is_over(const Session& session) {
 
 /// Whether nobody has begun to play, or a game is over.
 bool waits_for_player(const Session& session) {
-    const PinballState& state = std::get<PinballState>(session.game());
-    const bool is_new =
-        state.games == 1 && state.ball == 1 && state.score == 0 && !state.is_launched;
-    return session.scene().table.is_game && (is_new || is_over(session));
+    return session.scene().table.is_game && !is_in_pinball_game(session);
 }
 
 bool has_flippers(const Scene& scene) {
@@ -37,6 +34,12 @@ bool has_flippers(const Scene& scene) {
 }
 
 }  // namespace
+
+bool is_in_pinball_game(const Session& session) {
+    const auto* const state = std::get_if<PinballState>(&session.game());
+    if (!state || !session.scene().table.is_game || is_over(session)) return false;
+    return state->games > 1 || state->ball > 1 || state->score > 0 || state->is_launched;
+}
 
 void PinballController::learn_keys(PlayContext& play) {
     if (play.terminal.tells_key_release) input_.set_tells_release();

@@ -53,4 +53,8 @@ class PinballController : public FreeController {
     bool attracts_ = false;
 };
 
+/// Whether a game of pinball has begun, by its first launch, and is not over. It is kept when the
+/// player leaves, and does not end by one key alone.
+bool is_in_pinball_game(const Session& session);
+
 }  // namespace carom

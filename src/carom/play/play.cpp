@@ -99,7 +99,7 @@ int play_here(const PlayOptions& options) {
                         options.guest->idle));
     const auto lost_asciinema = asciinema ? asciinema->finish(seconds_now()) : std::nullopt;
     if (program.is_kept() && !options.guest)
-        print_note("The match was kept. Resume it: carom play --resume\n");
+        print_note("The game was kept. Resume it: carom play --resume\n");
     for (const auto& lost : {program.lost_recording(), lost_asciinema})
         if (lost) print_error(*lost);
     return program.lost_recording() || lost_asciinema ? 2 : 0;

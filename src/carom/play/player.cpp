@@ -211,6 +211,11 @@ void Player::demonstrate() {
     if (pinball) pinball->demonstrate(play_, true);
 }
 
+bool Player::is_demonstrating() const {
+    const auto* const pinball = dynamic_cast<const PinballController*>(play_.controller.get());
+    return pinball && pinball->is_demonstrating();
+}
+
 std::optional<HighScore> Player::take_high_score() {
     auto* const pinball = dynamic_cast<PinballController*>(play_.controller.get());
     return pinball ? pinball->take_high_score() : std::nullopt;

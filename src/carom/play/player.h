@@ -72,6 +72,7 @@ class Player {
 
     /// Starts the demo at a pinball table.
     void demonstrate();
+    bool is_demonstrating() const;
     /// A score for which the player has entered initials; returned once.
     std::optional<HighScore> take_high_score();
 

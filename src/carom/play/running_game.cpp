@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "carom/controllers/pinball_controller.h"
 #include "carom/controllers/pool_controller.h"
 #include "carom/files/files.h"
 #include "carom/files/guest.h"
@@ -65,7 +66,10 @@ bool RunningGame::is_saved() const {
 }
 
 bool RunningGame::leave() {
-    if (is_in_match(player.session()) && player.session().is_complete()) {
+    const Session& session = player.session();
+    const bool is_open =
+        is_in_match(session) || (is_in_pinball_game(session) && !player.is_demonstrating());
+    if (is_open && session.is_complete()) {
         autosave();
         if (resume_file.put_aside()) return true;
     }

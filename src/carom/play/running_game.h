@@ -43,7 +43,8 @@ struct RunningGame {
     /// is not there, or is older than the game; after an error, the next call tries again.
     bool autosave();
     bool is_saved() const;
-    /// Ends the game normally. True: it is a match of pool that is not won, and it is kept.
+    /// Ends the game normally. True: it is a match of pool that is not won, or a game of pinball
+    /// that its player has begun, and it is kept.
     bool leave();
     /// Tells the player where a watched recording differs from the replay; of one that was made
     /// under another physics version, only that. The replay continues either way.

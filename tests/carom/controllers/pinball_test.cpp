@@ -410,3 +410,34 @@ TEST_CASE("a flipper can be bound to another key in the preferences, and hints s
     table.pass(0.2);
     CHECK(table.picture() == at_rest);
 }
+
+TEST_CASE("a game that has begun is kept when its player leaves, and can be resumed") {
+    const TableHome home;
+    {
+        AtTable table(home);
+        table.pass(1.0);
+        table.key(U'q');
+        CHECK_FALSE(table.program.is_kept());
+    }
+    {
+        AtTable table(home);
+        CHECK_FALSE(table.sees("Unfinished"));
+        table.key(U'd');
+        table.pass(4.0);
+        table.key(U'q');
+        CHECK_FALSE(table.program.is_kept());
+    }
+    for (const char32_t leaving : {U'q', key::escape}) {
+        CAPTURE(leaving);
+        AtTable table(home);
+        table.key(key::enter);
+        table.pass(2.0);
+        table.key(leaving);
+        REQUIRE(table.program.is_kept());
+        AtTable later(home);
+        CHECK(later.sees("Unfinished game at"));
+        later.key(U'R');
+        later.pass(0.5);
+        CHECK(later.sees("Resumed."));
+    }
+}
