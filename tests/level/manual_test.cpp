@@ -112,3 +112,31 @@ TEST_CASE("the grammar of the manual equals that of the statement table") {
     REQUIRE(blocks.size() == 1);
     CHECK(blocks[0].text == all_statements().grammar());
 }
+
+// A reader who writes each step below the last one has the game that stands at the end.
+TEST_CASE("the six steps of the manual add up to the whole game, and each of them loads") {
+    const std::string text = manual();
+    const std::size_t begin = text.find("### A game in six steps");
+    const std::size_t end = text.find("This is the whole game", begin);
+    REQUIRE(end != std::string::npos);
+    std::string game;
+    int steps = 0;
+    bool is_fenced = false;
+    const auto check_step = [&] {
+        if (steps == 0) return;
+        CAPTURE(steps);
+        CHECK(load_level(game, "first-game.level", {}).scene.has_value());
+    };
+    for (const std::string_view line : split_lines(text.substr(begin, end - begin))) {
+        if (line.starts_with("```")) is_fenced = line != "```";
+        if (line.starts_with("**")) {
+            check_step();
+            ++steps;
+        }
+        if (line.starts_with("    ")) game += std::string(line.substr(4)) + "\n";
+        if (is_fenced && !line.starts_with("```")) game += std::string(line) + "\n";
+    }
+    CHECK(steps == 6);
+    const auto all = examples("carom");
+    CHECK(std::ranges::count(all, game, &Example::text) == 1);
+}
