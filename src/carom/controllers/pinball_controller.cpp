@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -115,7 +116,20 @@ bool PinballController::take_mouse(PlayContext& play, const InputEvent& event) {
     return true;
 }
 
+/// A game does not end by one stray key: true, until the key is pressed again in time.
+bool PinballController::keeps_game(PlayContext& play) {
+    constexpr double time_to_confirm = 3.0;  // s
+    if (demo_ || !is_in_pinball_game(play.session) || restart_left_ > 0.0) return false;
+    restart_left_ = time_to_confirm;
+    say(play, fmt::format("Press {} again to end this game.", play.keys.hint("restart")));
+    return true;
+}
+
 void PinballController::perform(PlayContext& play, const Action& action) {
+    if (action.name == "restart") {
+        if (keeps_game(play)) return;
+        restart_left_ = 0.0;
+    }
     using AtPinball = void (*)(PinballController&, PlayContext&);
     if (const auto* perform = std::get_if<AtPinball>(&action.perform))
         return (*perform)(*this, play);
@@ -124,6 +138,7 @@ void PinballController::perform(PlayContext& play, const Action& action) {
 
 void PinballController::pass(PlayContext& play, double seconds) {
     learn_keys(play);
+    restart_left_ = std::max(0.0, restart_left_ - seconds);
     press_buttons(play, input_.pass(seconds));
     attract(play, seconds);
     feedback_.pass(play, seconds);

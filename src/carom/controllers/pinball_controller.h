@@ -42,6 +42,7 @@ class PinballController : public FreeController {
   private:
     bool take_mouse(PlayContext& play, const InputEvent& event);
     void learn_keys(PlayContext& play);
+    bool keeps_game(PlayContext& play);
     void attract(PlayContext& play, double seconds);
     void end_attract(PlayContext& play);
     void press_key(PlayContext& play, Button button, const InputEvent& event);
@@ -51,6 +52,7 @@ class PinballController : public FreeController {
     PinballFeedback feedback_;
     double idle_ = 0.0;  ///< s since the last key while the table waits for a player
     bool attracts_ = false;
+    double restart_left_ = 0.0;  ///< s in which the key for a restart ends the game
 };
 
 /// Whether a game of pinball has begun, by its first launch, and is not over. It is kept when the

@@ -441,3 +441,19 @@ TEST_CASE("a game that has begun is kept when its player leaves, and can be resu
         CHECK(later.sees("Resumed."));
     }
 }
+
+TEST_CASE("one stray key does not end a game, two do") {
+    const TableHome home;
+    AtTable table(home);
+    table.key(U'r');
+    CHECK(table.sees("Restarted."));
+    table.key(key::enter);
+    table.pass(2.0);
+    table.key(U'r');
+    CHECK(table.sees("Press r again to end this game."));
+    table.pass(4.0);
+    table.key(U'r');
+    CHECK(table.sees("Press r again to end this game."));
+    table.key(U'r');
+    CHECK(table.sees("Restarted."));
+}
