@@ -46,8 +46,8 @@ void PoolController::draw_panel(const PlayContext& play, Canvas& canvas) const {
                     options.look);
 }
 
-// One line: the aim of the player or of the AI player; while balls roll, the call; then the
-// outcome.
+// One line: the aim of the player or of the AI player; while balls roll, the call and how the
+// stroke went; then the outcome.
 std::string PoolController::line(const PlayContext& play) const {
     if (const StrokeMeter* const meter = stroke_.meter())
         return meter->text(play.keys.hint("grab"), play.view.options.look);
@@ -55,14 +55,16 @@ std::string PoolController::line(const PlayContext& play) const {
         return stroke_.push()->pull() > 0.0 ? "stroke  now push it forward: the ball gets its speed"
                                             : "stroke  pull the mouse back from the ball";
     if (is_aiming(play)) return aim_.line(play.session, play.view.options.look);
+    const std::string stroke = stroke_.last_text(play.view.options.look);
     if (const ShotsState* const shots = shots_of(play.session))
-        return shots->is_shooting ? "" : shots->message;
+        return shots->is_shooting ? stroke : shots->message;
     const PoolPlay* const pool = pool_of(play.session);
     if (!pool) return "";
     if (players_.is_opponents_turn(play.session)) return players_.opponent_text();
     if (!pool->is_shooting) return outcome_text(*pool, players_.names());
     const std::string called = call_text(play.session.scene(), pool->call);
-    return called.empty() ? "" : "called: " + called;
+    if (called.empty()) return stroke;
+    return "called: " + called + (stroke.empty() ? "" : "  " + stroke);
 }
 
 void PoolController::add_status(const PlayContext& play, HudInfo& info) const {

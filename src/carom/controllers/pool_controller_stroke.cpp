@@ -200,6 +200,7 @@ bool PoolController::take_release(PlayContext& play) {
 void PoolController::shoot(PlayContext& play, const std::optional<Stroke>& stroke) {
     stroke_.end();
     const Session& session = play.session;
+    stroke_.set_last(has_turns(session) ? stroke : std::nullopt, players_.hand());
     const double most = cue_in_turn(session).most_power;
     const double scatter = cue_in_turn(session).scatter;
     const std::uint64_t seed = session.world().seed();

@@ -1,5 +1,9 @@
 #include "carom/pool/person_stroke.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace carom {
 
 bool PersonStroke::pass(double seconds) {
@@ -9,6 +13,18 @@ bool PersonStroke::pass(double seconds) {
     if (!meter_->is_over()) return true;
     meter_.reset();
     return false;
+}
+
+std::string PersonStroke::last_text(const Look& look) const {
+    if (!last_) return "";
+    const double degrees = last_->miss * most_miss(level_);
+    constexpr double least = 0.005;  // of what two decimals show
+    const std::string off =
+        std::abs(degrees) < least
+            ? "straight"
+            : fmt::format("{:.2f}{} {}", std::abs(degrees), look.utf8 ? "°" : " deg",
+                          degrees > 0.0 ? "left" : "right");
+    return fmt::format("stroke {}, {:.2f} m/s", off, last_->speed);
 }
 
 bool PersonStroke::repeats(char32_t key, double after) {

@@ -29,6 +29,15 @@ class PersonStroke {
         push_.reset();
     }
 
+    /// The last stroke, made with a hand of this level; none: the shot was no stroke.
+    void set_last(const std::optional<Stroke>& stroke, int level) {
+        last_ = stroke;
+        level_ = level;
+    }
+    /// "stroke 0.31° left, 3.20 m/s": how the last stroke went, without the error of the hand;
+    /// empty: there was none.
+    std::string last_text(const Look& look) const;
+
     /// Whether an arrival of `key` is a repeat, on a terminal that does not say so but whose
     /// repeats are known.
     bool repeats(char32_t key, double after);
@@ -39,6 +48,8 @@ class PersonStroke {
     double now_ = 0.0;  ///< s of the player's time
     std::optional<StrokeMeter> meter_;
     std::optional<MouseStroke> push_;
+    std::optional<Stroke> last_;
+    int level_ = least_hand;  ///< of the hand that made it
     KeyRepeat keys_;
 };
 

@@ -409,6 +409,10 @@ TEST_CASE("in a match the mark of the meter decides, and one enter alone does no
         const Vec2 strike = person.last_strike();
         const double off = std::abs(cross(strike, way)) / length(strike) / length(way);
         CHECK((off < 0.003) == (wait == 0.3));
+        // The worst stroke of this hand is off by 0.47 degrees, and the mark was right of the
+        // middle.
+        CHECK(person.sees(wait == 0.3 ? "stroke 0.0" : "stroke 0.3"));
+        CHECK((wait == 0.3 || person.sees(" deg right, ")));
     }
 }
 
