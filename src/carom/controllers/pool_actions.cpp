@@ -66,7 +66,7 @@ bool shoot(PoolController& table, PlayContext& play) {
 }
 
 bool give_up_stroke(PoolController& table, PlayContext& play) {
-    if (!table.stroke().meter()) return false;
+    if (!table.stroke().meter()) return table.stroke().has_just_run_out();
     table.stroke().end();
     say(play, "No stroke.");
     return true;

@@ -12,7 +12,13 @@ bool PersonStroke::pass(double seconds) {
     meter_->pass(seconds);
     if (!meter_->is_over()) return true;
     meter_.reset();
+    ran_out_ = now_;
     return false;
+}
+
+bool PersonStroke::has_just_run_out() const {
+    constexpr double reaction = 1.0;  // s
+    return ran_out_ && now_ - *ran_out_ < reaction;
 }
 
 std::string PersonStroke::last_text(const Look& look) const {

@@ -15,6 +15,8 @@ class PersonStroke {
   public:
     /// Lets the player's seconds pass. Returns false when a meter has run out.
     bool pass(double seconds);
+    /// Whether a meter has run out so recently that a key may still be meant for it.
+    bool has_just_run_out() const;
     /// The player's time after so many further seconds, for MouseStroke and KeyRepeat.
     double time(double after) const { return now_ + after; }
 
@@ -45,7 +47,8 @@ class PersonStroke {
     const std::optional<KeyRepeatTimes>& key_repeat() const { return keys_.times(); }
 
   private:
-    double now_ = 0.0;  ///< s of the player's time
+    double now_ = 0.0;               ///< s of the player's time
+    std::optional<double> ran_out_;  ///< when the last meter did
     std::optional<StrokeMeter> meter_;
     std::optional<MouseStroke> push_;
     std::optional<Stroke> last_;

@@ -416,6 +416,18 @@ TEST_CASE("in a match the mark of the meter decides, and one enter alone does no
     }
 }
 
+TEST_CASE("escape as the meter runs out does not leave the match") {
+    Person person("nine-ball");
+    REQUIRE(person.players().set_opponent(person.player.session(), 1));
+    person.key(key::enter);
+    for (int i = 0; i < 200 && !person.sees("too late"); ++i)
+        person.pass(0.1);
+    REQUIRE(person.sees("too late"));
+    CHECK(person.PersonAtWindow::key(key::escape) == PlayRequest::none);
+    person.pass(1.5);
+    CHECK(person.PersonAtWindow::key(key::escape) == PlayRequest::menu);
+}
+
 TEST_CASE("in a match the push of the mouse gives the speed, and the way is that of the aim") {
     Person person("nine-ball");
     REQUIRE(person.players().set_opponent(person.player.session(), 1));
