@@ -37,8 +37,10 @@ namespace carom {
 ///             of the outlines' edges are where they were, and stop all balls from both sides
 ///   overlap   no two bodies that collide overlap deeper than the solver promises, and than the
 ///             rounding of their coordinates. A pair that starts deeper, as under `use overlap`, is
-///             exempt until it has separated. Held, moving and one-way edges, held balls, and edges
-///             on a torus are not checked
+///             exempt until it has separated. Where `contact` lifts bodies apart, what is lifted
+///             may be pressed into others: while a ball is deeper in another than promised, all
+///             pairs of these two are exempt, too. Held, moving and one-way edges, held balls, and
+///             edges on a torus are not checked
 ///   time      the tick has advanced, and no ball that has a velocity has stayed exactly where it
 ///             was, unless the solver has reported that time stood still for a ball, or
 ///             `contact` has stepped a ball that is wedged (time_check.h)
@@ -72,7 +74,11 @@ class InvariantCheck {
     void exempt_deep_pairs(const World& world);
     void sort(const World& world);
     void remember(const World& world);
+    static Pair pair_with_edge(BallId ball, CapsuleId edge);
     bool is_exempt(const Pair& pair) const;
+    /// The pair counts no longer, until it has separated. `share`: of the smaller radius, by which
+    /// it overlaps. Afterwards `exempt_` and `lifted_` must be sorted.
+    void exempt(const Pair& pair, double share, const Breach& bodies);
     /// visit(pair, depth, smaller radius, ball, other ball or none, edge or none) of all overlaps.
     template <typename Visit>
     void for_each_overlap(const World& world, Visit&& visit) const;
@@ -91,6 +97,7 @@ class InvariantCheck {
     std::vector<std::uint32_t> order_;  // of balls, by x
     double widest_ = 0.0;               // radius
     std::vector<Pair> exempt_;          // pairs that started too deep, ascending
+    std::vector<BallId> lifted_;  // balls of the exempt pairs that are too deep now, ascending
 };
 
 }  // namespace carom

@@ -37,6 +37,7 @@ Promise promise_of(SolverKind solver) {
             return {.energy = 1e-2,
                     .counts_heights = true,
                     .overlap = 0.75,
+                    .overlap_of_clustered = 0.75,
                     .lifts_overlaps = true,
                     .most_fall = most_fall_of_contact,
                     .keeps_sides = true,

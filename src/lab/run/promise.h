@@ -19,7 +19,8 @@ struct Promise {
     /// (physics/event/hybrid_step.h).
     double energy_of_clustered = 0.0;
     std::optional<double> overlap;  ///< deepest, as a share of the smaller radius
-    /// Deepest overlap of a ball in the cluster of a hybrid step (physics/event/hybrid_step.h).
+    /// Deepest overlap of a ball that `contact` steps, as in the cluster of a hybrid step
+    /// (physics/event/hybrid_step.h); 0 where it never does.
     double overlap_of_clustered = 0.0;
     /// A pair that starts inside one another has separated once it overlaps by no more than this
     /// share of the smaller radius. Until then a ball that turns back may go as deep as it was.
