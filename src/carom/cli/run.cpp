@@ -143,16 +143,14 @@ void Run::finish(const std::string& level) {
     record_.variables = variables(input_.scene, game_);
     if (world_.tick() == input_.ticks) note_end(record_, input_.scene, world_);
     if (runner_.remaining() > 0 && world_.tick() == input_.ticks && !input_.recording)
-        print_note(fmt::format("note: {} of the commands lie after the last tick, {}\n",
+        print_note(fmt::format("note: {} of the commands were not due by the last tick, {}\n",
                                runner_.remaining(), input_.ticks));
     print_note(notes_text(record_.notes, world_.rate()));
     outputs_.write_report(report_json(level, input_.scene, world_, record_, seconds_));
     if (const Observer* observer = record_.watch.observer())
         outputs_.write_curves(curves_csv(*observer));
     if (replay_.marks.back().tick < world_.tick()) mark();
-    const auto& commands = input_.script.commands;
-    replay_.commands.assign(commands.begin(),
-                            commands.end() - static_cast<std::ptrdiff_t>(runner_.remaining()));
+    replay_.commands = runner_.executed();
     replay_.end = replay_.position = world_.tick();
     outputs_.write_recording(replay_);
     outputs_.commit();

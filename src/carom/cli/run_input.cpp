@@ -39,7 +39,7 @@ std::optional<RunInput> open_recorded(const RunOptions& options) {
     const SolverSettings own = solver_for(input.scene);
     input.scene.solver = options.solver ? *options.solver : replay.solver;
     input.scene.overridden |= *input.scene.solver != own || !replay.commands.empty();
-    input.script.commands = replay.commands;
+    input.script.commands = as_script(replay.commands);
     input.ticks = ticks_to_run(options, input.scene.world.rate(), replay.end);
     input.recording = std::move(replay);
     return input;
@@ -83,11 +83,12 @@ std::optional<RunInput> open_run_input(const RunOptions& options) {
 
 std::string told_refusal(const RunOptions& options, const RunInput& input,
                          const ScriptRunner::Refused& refused) {
-    const std::uint64_t tick = input.script.commands[refused.index].tick;
+    const std::uint64_t tick = refused.tick;
     const std::string why = fmt::format("at tick {}: {}", tick, refused.reason);
     if (input.recording) return fmt::format("carom: error: '{}': {}\n", options.level, why);
     return rendered(options.commands, input.script_text,
-                    {input.script.lines[refused.index], why, "nothing has been written"});
+                    {input.script.lines[refused.index], why,
+                     "nothing has been written; at rest strike cue 2,0 waits for the balls"});
 }
 
 }  // namespace carom

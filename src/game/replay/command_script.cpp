@@ -1,9 +1,12 @@
 #include "game/replay/command_script.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "game/pool/pool.h"
 #include "game/replay/replay_commands.h"
 #include "game/replay/replay_words.h"
+#include "game/shots/shots.h"
 #include "level/text/text.h"
 
 namespace carom {
@@ -45,6 +48,25 @@ constexpr std::string_view examples[] = {"strike 0 1.5,-2",
                                          "rack",
                                          "time-out"};
 
+// Whether all balls lie still, and the last shot is over.
+bool may_shoot(const World& world, const GameState& game) {
+    if (!is_at_rest(world)) return false;
+    const auto* const shots = std::get_if<ShotsState>(&game);
+    // The first turn begins in the first tick.
+    if (shots) return !shots->is_shooting && !shots->rules.turn_is_new;
+    const auto* const pool = std::get_if<PoolPlay>(&game);
+    return !pool || !pool->is_shooting;
+}
+
+// The ball that the player whose turn it is strikes; none: it is off the table, or there is no cue.
+std::optional<BallId> struck_ball(const Scene& scene, const GameState& game) {
+    if (const auto* const shots = std::get_if<ShotsState>(&game)) return cue_ball_of(scene, *shots);
+    if (const auto* const pool = std::get_if<PoolPlay>(&game))
+        return pool->balls[static_cast<std::size_t>(cue_ball)];
+    if (!scene.pool.cue) return std::nullopt;
+    return scene.pool.cue->ball;
+}
+
 std::string_view keyword_of(std::string_view command) {
     return command.substr(0, command.find(' '));
 }
@@ -67,20 +89,30 @@ std::span<const std::string_view> command_examples() {
 
 std::variant<CommandScript, ReplayError> read_script(std::string_view text) {
     CommandScript script;
+    std::uint64_t last = 0;
     int line = 0;
     for (const std::string_view written : split_lines(text)) {
         ++line;
         const std::string content = words_of(written);
         if (content.empty()) continue;
+        ScriptCommand made;
         Words words(content);
         if (words.next() != "at")
             return ReplayError{line, "a command begins with 'at' and its tick",
                                "write for example: at 120 gravity 0,-9.81"};
-        const auto tick = words.integer<std::uint64_t>();
+        made.waits_for_rest = words.rest().starts_with("rest ");
+        if (made.waits_for_rest)
+            words.next();
+        else
+            made.tick = words.integer<std::uint64_t>();
         if (words.failed())
             return ReplayError{line, "the tick is not a whole number from 0 to 2^64 - 1",
-                               "write for example: at 120 gravity 0,-9.81"};
-        const std::string_view rest = words.rest();
+                               "write for example: at 120 gravity 0,-9.81; or at rest ..."};
+        std::string rest(words.rest());
+        constexpr std::string_view of_cue = "strike cue ";
+        made.is_of_cue = rest.starts_with(of_cue);
+        if (made.is_of_cue) rest.replace(0, of_cue.size(), "strike 0 ");
+        words = Words(rest);
         const auto command = read_command(words);
         if (!command)
             return ReplayError{line, "there is no such command", advice_on(keyword_of(rest))};
@@ -88,10 +120,12 @@ std::variant<CommandScript, ReplayError> read_script(std::string_view text) {
             return ReplayError{
                 line, "'" + std::string(keyword_of(rest)) + "' is not complete or not right",
                 advice_on(keyword_of(rest))};
-        if (!script.commands.empty() && tick < script.commands.back().tick)
+        if (!made.waits_for_rest && made.tick < last)
             return ReplayError{line, "the ticks go back",
                                "put the commands in the order of their ticks"};
-        script.commands.push_back({tick, *command});
+        last = std::max(last, made.tick);
+        made.command = *command;
+        script.commands.push_back(std::move(made));
         script.lines.push_back(line);
     }
     return script;
@@ -99,16 +133,37 @@ std::variant<CommandScript, ReplayError> read_script(std::string_view text) {
 
 std::optional<ScriptRunner::Refused> ScriptRunner::execute_due(const Scene& scene, World& world,
                                                                GameState& game, Solver& solver) {
-    while (next_ < commands_.size() && commands_[next_].tick == world.tick()) {
-        const Command& command = commands_[next_].command;
+    for (; next_ < commands_.size(); ++next_) {
+        ScriptCommand& next = commands_[next_];
+        if (next.waits_for_rest ? !may_shoot(world, game) : next.tick > world.tick()) break;
+        if (!next.waits_for_rest && next.tick < world.tick())
+            return Refused{next_, next.tick,
+                           "this tick is over: a command above it waited for rest"};
+        next.tick = world.tick();
+        if (next.is_of_cue) {
+            const auto ball = struck_ball(scene, game);
+            if (!ball) return Refused{next_, next.tick, "there is no cue ball to strike"};
+            std::get<command::Strike>(next.command).ball = *ball;
+        }
+        const Command& command = next.command;
         if (auto reason = refusal(scene, world, game, command))
-            return Refused{next_, *std::move(reason)};
+            return Refused{next_, next.tick, *std::move(reason)};
         if (const auto* change = std::get_if<command::SetSolver>(&command))
             if (!(change->settings == solver.settings())) solver = Solver(change->settings);
         execute(scene, world, game, command);
-        ++next_;
     }
     return std::nullopt;
+}
+
+std::vector<TimedCommand> ScriptRunner::executed() const {
+    return {commands_.begin(), commands_.begin() + static_cast<std::ptrdiff_t>(next_)};
+}
+
+std::vector<ScriptCommand> as_script(std::span<const TimedCommand> commands) {
+    std::vector<ScriptCommand> script;
+    for (const TimedCommand& command : commands)
+        script.push_back({command});
+    return script;
 }
 
 }  // namespace carom

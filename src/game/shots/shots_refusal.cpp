@@ -24,11 +24,19 @@ bool is_on_cloth(const Scene& scene, const World& world, Vec2 from, Vec2 place, 
     });
 }
 
+// Which ball the player strikes, and its number, which changes when it comes back to the table.
+std::string wrong_ball(const Scene& scene, const ShotsState& state) {
+    const auto ball = cue_ball_of(scene, state);
+    return fmt::format("player {} strikes {}{}", state.rules.player + 1,
+                       cue_name(scene, cue_in_turn(scene, state)),
+                       ball ? fmt::format(", ball {}", number(*ball)) : std::string());
+}
+
 Refusal refused(const Scene& scene, const World& world, const ShotsState& state,
                 const command::Strike& strike) {
     if (auto why = refusal_to_shoot(world, state)) return why;
     if (std::ranges::count(cue_balls_of(scene, state), strike.ball) == 0)
-        return "that is not the cue ball of the player whose turn it is";
+        return wrong_ball(scene, state);
     if (auto why = refusal(world, Command(strike))) return why;
     return refusal_of_cue(strike.velocity, cue_in_turn(scene, state).most_power);
 }

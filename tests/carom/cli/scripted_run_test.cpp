@@ -151,7 +151,7 @@ TEST_CASE("a script that is wrong or refused is exit code 2, and leaves no files
     CHECK(has(run_carom({"run", folder.level, "--commands", folder.path("none")}).err,
               "cannot read"));
     CHECK(has(run_carom({"run", folder.level, "--ticks", "250", "--commands", folder.script}).err,
-              "note: 1 of the commands lie after the last tick, 250\n"));
+              "note: 1 of the commands were not due by the last tick, 250\n"));
 }
 
 TEST_CASE("a pipe that nobody writes to is refused at once") {

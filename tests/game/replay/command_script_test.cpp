@@ -2,10 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 
 #include "game/support/scenes.h"
+#include "level/load.h"
 
 using namespace carom;
 using carom::test::busy_box;
@@ -100,4 +103,56 @@ TEST_CASE("commands are executed at their ticks, until one is refused") {
     REQUIRE(refused);
     CHECK(refused->index == 3);
     CHECK(world.model().gravity == Vec2{0.0, -2.0});
+}
+
+TEST_CASE("commands wait for rest, and strike the cue ball whatever its number is by then") {
+    const Scene scene = *load_level(
+                             "carom 1 \"Two players\"\n"
+                             "units mm\n"
+                             "use cloth slide=0.2 roll=0.02 spin=10rad/s2\n"
+                             "box 0,0 1400,700 r=10\n"
+                             "pocket hole at=1300,350 r=60\n"
+                             "ball white at=300,350 r=30 m=210g\n"
+                             "cue ball=white power=0..6m/s\n"
+                             "game shots players=2\n"
+                             "on cue pocketed  score 1\n"
+                             "on shot ends  turn\n"
+                             "on shot judged if shots=3  end\n",
+                             "two.level", {})
+                             .scene;
+    const auto play = [&](std::string_view text, std::uint64_t ticks) {
+        World world = scene.world;
+        GameState game = begin_game(scene);
+        Solver solver({.kind = SolverKind::event});
+        ScriptRunner runner(std::get<CommandScript>(read_script(text)).commands);
+        std::optional<ScriptRunner::Refused> refused;
+        while (!(refused = runner.execute_due(scene, world, game, solver)) &&
+               world.tick() < ticks) {
+            solver.tick(world);
+            update_game(scene, world, game, solver.contacts());
+        }
+        return std::tuple(std::get<ShotsState>(game), runner.executed(), refused);
+    };
+    const auto [state, executed, refused] = play(
+        "at rest strike cue 2,0\n"
+        "at rest strike cue 0,0.2\n"
+        "at rest strike cue 2,0 follow=0.1\n",
+        6000);
+    CHECK_FALSE(refused);
+    CHECK(state.shots == 3);
+    REQUIRE(executed.size() == 3);
+    CHECK(executed[0].tick < executed[1].tick);
+    CHECK(executed[1].tick < executed[2].tick);
+    CHECK(std::get<command::Strike>(executed[0].command).ball == BallId{0});
+    CHECK(std::get<command::Strike>(executed[1].command).ball == BallId{1});
+
+    const auto late =
+        std::get<2>(play("at rest strike cue 2,0\n"
+                         "at rest strike cue 0,0.2\nat 3 gravity off\n",
+                         6000));
+    REQUIRE(late);
+    CHECK(late->index == 2);
+    const auto wrong = std::get<2>(play("at rest strike cue 2,0\nat 2000 strike 0 0,1\n", 6000));
+    REQUIRE(wrong);
+    CHECK(wrong->reason == "player 2 strikes white, ball 1");
 }

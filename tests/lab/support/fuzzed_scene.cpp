@@ -35,7 +35,8 @@ FuzzedScene scene_of(std::string level, const std::string& commands, std::uint64
     made.ticks = ticks;
     made.scene = load_level(made.text, "fuzzed.level").scene;
     auto read = read_script(commands);
-    if (auto* script = std::get_if<CommandScript>(&read)) made.script = std::move(script->commands);
+    if (auto* script = std::get_if<CommandScript>(&read))
+        made.script.assign(script->commands.begin(), script->commands.end());
     return made;
 }
 
