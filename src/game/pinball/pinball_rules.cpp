@@ -235,6 +235,7 @@ void note_goal(Pinball game) {
 
 std::string task_text(const Scene& scene, const World& world, const PinballState& state) {
     if (scene.rules.tasks.empty() && scene.rules.goals.empty()) return {};
+    if (state.is_tilted) return "TILT";
     const PinballAnswers answers(scene, world, state);
     std::string task = task_text(scene.rules, state.rules, answers);
     return task.empty() ? goal_text(scene.rules, state.goal) : task;
@@ -242,7 +243,8 @@ std::string task_text(const Scene& scene, const World& world, const PinballState
 
 std::span<const std::uint32_t> shots_to_make(const Scene& scene, const World& world,
                                              const PinballState& state) {
-    if (scene.rules.tasks.empty() || state.phase != PinballState::Phase::playing) return {};
+    const bool is_played = state.phase == PinballState::Phase::playing && !state.is_tilted;
+    if (scene.rules.tasks.empty() || !is_played) return {};
     const RuleTask* const task =
         task_of(scene.rules, state.rules, PinballAnswers(scene, world, state));
     return task ? std::span<const std::uint32_t>(task->shots) : std::span<const std::uint32_t>();

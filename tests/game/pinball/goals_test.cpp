@@ -151,3 +151,17 @@ TEST_CASE("the replay award is an extra ball, once a game") {
     lose_ball(game);
     CHECK(game.state().phase == PinballState::Phase::over);
 }
+
+TEST_CASE("a tilted table asks for no shot") {
+    SmallTable game("game pinball save=0s tilt=0\ntask \"HIT THE STAND\" for stand\n");
+    REQUIRE(shots_of(game).size() == 1);
+    CHECK(task_text(game.scene, game.world, game.state()) == "HIT THE STAND");
+    for (int i = 0; i < 4; ++i) {
+        game.press(Button::nudge_up, true);
+        game.run(0.12);
+        game.press(Button::nudge_up, false);
+    }
+    REQUIRE(game.state().is_tilted);
+    CHECK(shots_of(game).empty());
+    CHECK(task_text(game.scene, game.world, game.state()) == "TILT");
+}
