@@ -13,6 +13,8 @@
 namespace carom {
 namespace {
 
+constexpr const char* demo_help = "carom plays: any key of the table takes over";
+
 /// Applies presses for which the table has a device.
 void press_buttons(PlayContext& play, const std::vector<command::Press>& presses) {
     for (const command::Press& press : presses)
@@ -47,8 +49,15 @@ void PinballController::learn_keys(PlayContext& play) {
     if (play.terminal.key_repeat) input_.remember(*play.terminal.key_repeat);
 }
 
-void PinballController::press_key(PlayContext& play, Button button, const InputEvent& event) {
+/// A button of the table hands control back to the player.
+void PinballController::end_demo(PlayContext& play) {
+    if (!demo_) return;
     demo_.reset();
+    say(play, "your game");
+}
+
+void PinballController::press_key(PlayContext& play, Button button, const InputEvent& event) {
+    end_demo(play);
     const bool starts_game = button == Button::plunger && is_over(play.session);
     press_buttons(play, input_.take_key(button, event));
     // The key that starts a game does not pull the plunger under its first ball.
@@ -83,7 +92,8 @@ bool PinballController::take(PlayContext& play, const InputEvent& event) {
     learn_keys(play);
     // A key of the table that ends attract mode does nothing else.
     if (ends_attract && play.keys.button_of(key_of(event))) return true;
-    if (feedback_.scores().initials()) {
+    // Initials take every key, but not the release of a button that was held when the game ended.
+    if (feedback_.scores().initials() && event.action != InputEvent::Action::release) {
         feedback_.scores().type(event);
         play.needs_draw = true;
         return true;
@@ -111,7 +121,7 @@ bool PinballController::take_mouse(PlayContext& play, const InputEvent& event) {
     }
     const auto presses = input_.take_mouse(event, at, play.session);
     if (!presses) return false;
-    if (event.action == InputEvent::Action::press) demo_.reset();
+    if (event.action == InputEvent::Action::press) end_demo(play);
     press_buttons(play, *presses);
     return true;
 }
@@ -161,7 +171,7 @@ void PinballController::demonstrate(PlayContext& play, bool does) {
     if (!does) press_buttons(play, input_.release_all());
     demo_.reset();
     if (does) demo_.emplace();
-    say(play, does ? "carom plays: any key of the table takes over" : "your game");
+    say(play, does ? demo_help : "your game");
 }
 
 void PinballController::next_flipper_mode(PlayContext& play) {
@@ -205,14 +215,18 @@ void PinballController::draw_panel(const PlayContext& play, Canvas& canvas) cons
 void PinballController::add_status(const PlayContext& play, HudInfo& info) const {
     feedback_.add_score(play, info);
     info.message_in_line = true;
+    if (is_over(play.session)) {
+        info.goal = "GAME OVER";
+        return;
+    }
     const double pull = std::get<PinballState>(play.session.game()).pull;
     if (pull > 0.0) {
         info.game = fmt::format("plunger {} {:.0f} %", power_bar(pull, play.view.options.look),
                                 100.0 * pull);
         return;
     }
-    if (is_over(play.session)) {
-        info.goal = "GAME OVER";
+    if (is_demonstrating()) {
+        info.game = demo_help;
         return;
     }
     if (!has_flippers(play.session.scene())) return;
@@ -223,13 +237,14 @@ void PinballController::add_status(const PlayContext& play, HudInfo& info) const
 }
 
 void PinballController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const {
-    if (!play.pointer.tool.is_empty() || play.clock.is_paused()) return;
+    if (!play.pointer.tool.is_empty()) return;
     if (feedback_.scores().initials()) {
         hints.push_back({"a-z 0-9", "your initials"});
         hints.push_back({"enter", "done"});
         hints.push_back({"esc", "none"});
         return;
     }
+    if (play.clock.is_paused()) return;
     const Scene& scene = play.session.scene();
     const auto hint = [&](std::initializer_list<std::string_view> names, std::string what) {
         std::string keys;

@@ -28,6 +28,7 @@ class PinballController : public FreeController {
     void draw_panel(const PlayContext& play, Canvas& canvas) const override;
     void add_status(const PlayContext& play, HudInfo& info) const override;
     void add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const override;
+    bool takes_text() const override { return feedback_.scores().initials().has_value(); }
     void set_high_scores(HighScores scores) override;
     bool drags_anything() const override { return false; }
     void continue_from(PlayContext& play, const Controller& before) override;
@@ -42,6 +43,7 @@ class PinballController : public FreeController {
   private:
     bool take_mouse(PlayContext& play, const InputEvent& event);
     void learn_keys(PlayContext& play);
+    void end_demo(PlayContext& play);
     bool keeps_game(PlayContext& play);
     void attract(PlayContext& play, double seconds);
     void end_attract(PlayContext& play);

@@ -44,6 +44,23 @@ flipper right at=250,60 length=90 r=8 key=right
 game pinball save=0s highscores=3
 )";
 
+// The ball crosses a lane and drains: the game is over.
+const char* const short_game = R"(carom 1 "A short game"
+units mm
+rate 1000
+use gravity 0,-0.8m/s2
+kind pinball r=10 m=80g
+box 0,0 400,600 r=1
+ball b kind=pinball at=380,31
+rollover lane at=380,200 r=15
+plunger spring at=380,20 dir=up speed=2.5m/s..2.5m/s width=10
+drain out 350,320 399,320
+flipper left at=60,60 length=90 r=8
+flipper right at=250,60 length=90 r=8 key=right
+game pinball balls=1 save=0s highscores=3
+on lane enter score 700
+)";
+
 std::string looks_of(const Cell& cell) {
     return std::to_string(cell.glyph) + ' ' + std::to_string(cell.foreground) + ' ' +
            std::to_string(cell.background) + ';';
@@ -147,36 +164,26 @@ TEST_CASE("a table that nobody touches is played by the demo, until any key") {
     CHECK_FALSE(table.sees("DEMONSTRATION"));
     table.pass(4.0);
     CHECK(table.sees("DEMONSTRATION"));
+    table.pass(10.0);
+    CHECK(table.sees("carom plays: any key of the table takes over"));
     table.key(U'z');
     CHECK_FALSE(table.sees("DEMONSTRATION"));
+    CHECK_FALSE(table.sees("carom plays"));
     CHECK(table.sees("ball 1 of 3"));
     table.pass(5.0);
     CHECK_FALSE(table.sees("DEMONSTRATION"));
 }
 
-// The ball crosses a lane and drains: the game is over.
 TEST_CASE("initials that nobody completes are kept, and then the demo plays") {
     const TableHome home;
-    home.write("work.level", R"(carom 1 "A short game"
-units mm
-rate 1000
-use gravity 0,-0.8m/s2
-kind pinball r=10 m=80g
-box 0,0 400,600 r=1
-ball b kind=pinball at=380,31
-rollover lane at=380,200 r=15
-plunger spring at=380,20 dir=up speed=2.5m/s..2.5m/s width=10
-drain out 350,320 399,320
-flipper left at=60,60 length=90 r=8
-flipper right at=250,60 length=90 r=8 key=right
-game pinball balls=1 save=0s highscores=3
-on lane enter score 700
-)");
+    home.write("work.level", short_game);
     AtTable table(home);
     table.pass(1.0);
     table.key(key::enter);
     table.pass(10.0);
     REQUIRE(table.sees("YOUR INITIALS: ___"));
+    CHECK(table.sees("esc none"));
+    CHECK_FALSE(table.sees("renderer"));
     table.key(U'e');
     table.pass(50.0);
     table.key(U'd');
@@ -456,4 +463,42 @@ TEST_CASE("one stray key does not end a game, two do") {
     CHECK(table.sees("Press r again to end this game."));
     table.key(U'r');
     CHECK(table.sees("Restarted."));
+}
+
+TEST_CASE("a key of the table that takes over from the demo says so") {
+    const TableHome home;
+    AtTable table(home);
+    table.key(U'd');
+    CHECK(table.sees("carom plays"));
+    table.key(U'z');
+    CHECK_FALSE(table.sees("carom plays"));
+    CHECK(table.sees("your game"));
+}
+
+TEST_CASE("a plunger that is held as the game ends lets go while initials are typed") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    AtTable table(home, true);
+    table.pass(1.0);
+    table.key(key::enter);
+    table.pass(1.5);
+    table.key(key::enter, InputEvent::Action::release);
+    table.pass(1.5);
+    table.key(key::enter);
+    table.pass(1.0);
+    REQUIRE(table.sees("100 %"));
+    table.pass(10.0);
+    REQUIRE(table.sees("YOUR INITIALS"));
+    CHECK(table.sees("GAME OVER"));
+    CHECK_FALSE(table.sees("100 %"));
+    table.key(key::enter, InputEvent::Action::release);
+    table.key(U'e');
+    table.key(key::enter);
+    REQUIRE_FALSE(table.sees("YOUR INITIALS"));
+    table.key(key::enter);
+    table.pass(0.5);
+    table.key(key::enter, InputEvent::Action::release);
+    table.pass(0.5);
+    CHECK(table.sees("ball 1 of 1"));
+    CHECK_FALSE(table.sees("100 %"));
 }
