@@ -16,6 +16,7 @@
 #include "game/replay/replayer.h"
 #include "lab/run/invariants.h"
 #include "lab/run/report.h"
+#include "lab/run/rule_log.h"
 #include "physics/version.h"
 #include "physics/world/fingerprint.h"
 
@@ -77,6 +78,7 @@ class Run {
     GameState game_;
     Solver solver_;
     RunRecord record_;
+    RuleLog log_;
     Replay replay_;
     ScriptRunner runner_;
     bool follows_recording_ = false;  ///< as far as seen
@@ -109,6 +111,7 @@ void Run::compare_with_recording() {
 void Run::simulate() {
     using Clock = std::chrono::steady_clock;
     Clock::duration cost{};
+    log_.line(input_.scene, world_, game_);
     execute_due();
     mark();
     outputs_.write_start(world_);
@@ -129,6 +132,7 @@ void Run::simulate() {
         update_game(input_.scene, world_, game_, solver_.contacts());
         note_tick(record_, input_.scene, world_, solver_, rule_state(game_));
         outputs_.write_tick(world_, solver_);
+        if (outputs_.wants_log()) outputs_.write_log(log_.line(input_.scene, world_, game_));
         if (breach_) break;
         execute_due();
         if (world_.tick() % mark_interval(world_.rate()) == 0) mark();

@@ -16,6 +16,7 @@ void open(std::optional<OutputFile>& file, const std::string& path) {
 RunOutputs::RunOutputs(const RunOptions& options) {
     open(report_, options.report);
     open(events_, options.events);
+    open(log_, options.log);
     open(trace_, options.trace);
     open(curves_, options.curves);
     open(record_, options.record);
@@ -28,6 +29,10 @@ void RunOutputs::write_start(const World& world) {
 void RunOutputs::write_tick(const World& world, const Solver& solver) {
     if (events_) events_->write(event_lines(solver.contacts(), world.tick()));
     if (trace_) trace_->write(trace_rows(world));
+}
+
+void RunOutputs::write_log(std::string_view line) {
+    if (log_ && !line.empty()) log_->write(line);
 }
 
 void RunOutputs::write_report(std::string_view json) {
@@ -61,12 +66,13 @@ std::string RunOutputs::error() {
 }
 
 bool to_standard_output(const RunOptions& options) {
-    return options.report == "-" || options.events == "-" || options.trace == "-" ||
-           options.curves == "-" || options.record == "-";
+    return options.report == "-" || options.events == "-" || options.log == "-" ||
+           options.trace == "-" || options.curves == "-" || options.record == "-";
 }
 
 std::optional<std::string> clash_of_outputs(const RunOptions& options) {
-    const std::array<const std::string*, 5> paths{&options.report, &options.events, &options.trace,
+    const std::array<const std::string*, 6> paths{&options.report, &options.events,
+                                                  &options.log,    &options.trace,
                                                   &options.curves, &options.record};
     for (std::size_t i = 0; i < paths.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {

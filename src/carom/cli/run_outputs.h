@@ -19,10 +19,13 @@ class RunOutputs {
     /// Opens those that are asked for; see `error`.
     explicit RunOutputs(const RunOptions& options);
 
-    bool any() const { return report_ || events_ || trace_ || curves_ || record_; }
+    bool any() const { return report_ || events_ || log_ || trace_ || curves_ || record_; }
 
     void write_start(const World& world);
     void write_tick(const World& world, const Solver& solver);
+    /// What the rules did. `wants_log` says whether anybody reads it.
+    bool wants_log() const { return log_.has_value(); }
+    void write_log(std::string_view line);
     void write_report(std::string_view json);
     void write_curves(std::string_view csv);
     void write_recording(const Replay& replay);
@@ -34,12 +37,13 @@ class RunOutputs {
     std::string error();
 
   private:
-    std::array<std::optional<OutputFile>*, 5> all() {
-        return {&report_, &events_, &trace_, &curves_, &record_};
+    std::array<std::optional<OutputFile>*, 6> all() {
+        return {&report_, &events_, &log_, &trace_, &curves_, &record_};
     }
 
     std::optional<OutputFile> report_;
     std::optional<OutputFile> events_;
+    std::optional<OutputFile> log_;
     std::optional<OutputFile> trace_;
     std::optional<OutputFile> curves_;
     std::optional<OutputFile> record_;

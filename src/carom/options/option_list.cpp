@@ -174,6 +174,7 @@ void add_run(CLI::App& app, RunOptions& options) {
             options.commands);
     run.add({"--report", "FILE", "What came of it, as one JSON object"}, options.report);
     run.add({"--events", "FILE", "Every contact, one JSON object a line"}, options.events);
+    run.add({"--log", "FILE", "What the rules of the level did, a line a tick"}, options.log);
     run.add({"--trace", "FILE", "Every ball at every tick, as CSV"}, options.trace);
     run.add({"--curves", "FILE", "The curves of what the level observes, as CSV"}, options.curves);
     run.add({"--record", "FILE", "A recording, for carom replay and verify"}, options.record);

@@ -25,6 +25,7 @@ struct RunOptions {
     std::optional<std::uint64_t> ticks;
     std::string report;
     std::string events;
+    std::string log;
     std::string trace;
     std::string curves;
     std::string record;

@@ -80,14 +80,15 @@ TEST_CASE("the options of play") {
 }
 
 TEST_CASE("the options of run, before and after the level") {
-    const auto options =
-        parse_as<RunOptions>({"run", "--time", "2.5", "pi", "--report", "-", "--events=e.jsonl",
-                              "--trace", "t.csv", "--explain", "--solver", "auto"});
+    const auto options = parse_as<RunOptions>({"run", "--time", "2.5", "pi", "--report", "-",
+                                               "--events=e.jsonl", "--log", "l.txt", "--trace",
+                                               "t.csv", "--explain", "--solver", "auto"});
     CHECK(options.level == "pi");
     CHECK(*options.time == 2.5);
     CHECK_FALSE(options.ticks.has_value());
     CHECK(options.report == "-");
     CHECK(options.events == "e.jsonl");
+    CHECK(options.log == "l.txt");
     CHECK(options.trace == "t.csv");
     CHECK(options.explain);
     CHECK_FALSE(options.solver.has_value());
