@@ -192,7 +192,7 @@ std::string why_text(const PoolPlay& play, const PlayerNames& names) {
     const int most = rules.options.fouls_that_lose;
     if (rules.winner && most > 0 && rules.fouls[shooter] >= most)
         text += fmt::format("{} fouls in a row. ", most);
-    if (!rules.winner && !reason.empty()) text += fmt::format("{}. ", reason);
+    if (rules.phase == PoolPhase::choosing && !reason.empty()) text += fmt::format("{}. ", reason);
     PoolState warned = rules;
     warned.player = *play.shooter;
     if (is_warned(warned))

@@ -104,7 +104,8 @@ class EightBall final : public Referee {
         if (may_choose(state, PoolChoice::spot_eight)) return "the 8 fell on the break";
         if (may_choose(state, PoolChoice::let_break))
             return "weak break: fewer than four balls hit a cushion";
-        if (!state.winner || *state.winner == shooter || !is_pocketed(shot, eight)) return "";
+        if (!state.winner) return uncalled_text(state, shot, shooter);
+        if (*state.winner == shooter || !is_pocketed(shot, eight)) return "";
         PoolState before = state;
         before.down &= ~pocketed_object_balls(shot);
         const auto group = group_of_player(before, shooter);

@@ -83,6 +83,11 @@ bool may_choose(const PoolState& state, PoolChoice choice) {
     return state.phase == PoolPhase::choosing && std::ranges::count(state.choices, choice) > 0;
 }
 
+std::string_view uncalled_text(const PoolState& state, const PoolShot& shot, int shooter) {
+    const bool passes = !state.winner && state.player != shooter;
+    return passes && pocketed_object_balls(shot) != 0 ? "not a called pot" : "";
+}
+
 void spot(PoolRuling& ruling, int ball) {
     ruling.respot.push_back(ball);
     ruling.next.down &= ~ball_bit(ball);

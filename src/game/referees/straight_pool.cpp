@@ -117,6 +117,11 @@ class StraightPool final : public Referee {
         return fmt::format("{}:{}", state.score[0], state.score[1]);
     }
 
+    std::string_view reason_text(const PoolState& state, const PoolShot& shot,
+                                 int shooter) const override {
+        return uncalled_text(state, shot, shooter);
+    }
+
     double lead(const PoolState& state) const override {
         constexpr double points_a_ball = 4.0;
         constexpr double most = 14.0;

@@ -68,9 +68,11 @@ class TenBall final : public Referee {
         return fmt::format("on the {}", lowest_ball(state, ten));
     }
 
-    std::string_view reason_text(const PoolState& state, const PoolShot& shot, int) const override {
+    std::string_view reason_text(const PoolState& state, const PoolShot& shot,
+                                 int shooter) const override {
         if (!may_choose(state, PoolChoice::return_push)) return "";
-        return pocketed_object_balls(shot) == 0 ? "a push-out" : "not a called pot";
+        const std::string_view uncalled = uncalled_text(state, shot, shooter);
+        return uncalled.empty() ? "a push-out" : uncalled;
     }
 };
 

@@ -97,6 +97,22 @@ TEST_CASE("after a push-out, or a pot that was not called, the choice says so") 
           "Pocketed: 4. Not a called pot. Player 2 chooses.");
 }
 
+TEST_CASE("a ball that falls without being called passes the turn, and the message says so") {
+    const PoolShot lucky{.first_hit = 1, .pocketed = {{4, 0}}};
+    const PoolCall other{PoolCall::Kind::pot, 1, 0};
+    CHECK(told(after(solids_left({1, 4}), lucky, other)) ==
+          "Pocketed: 4. Not a called pot. Player 2 shoots.");
+    CHECK(told(after(solids_left({1, 4}), lucky, {PoolCall::Kind::pot, 4, 0})) ==
+          "Pocketed: 4. Player 1 continues.");
+    const PoolShot scratch{.first_hit = 1, .pocketed = {{4, 0}, {cue_ball, 1}}};
+    CHECK(told(after(solids_left({1, 4}), scratch, other)) ==
+          "Pocketed: 4. Foul: the cue ball fell. Player 2: ball in hand.");
+    PoolState state = rack("straightpool");
+    state.phase = PoolPhase::playing;
+    state.in_hand = CueInHand::no;
+    CHECK(told(after(state, lucky, other)) == "Pocketed: 4. Not a called pot. Player 2 shoots.");
+}
+
 TEST_CASE("a frame lost by fouls in a row says how many they were") {
     PoolState state = rack("nineball");
     state.phase = PoolPhase::playing;
