@@ -52,6 +52,27 @@ std::string axis_number(double value, const Span& span) {
     return fmt::format("{:.4g}", std::abs(rounded) < 0.5 * step ? 0.0 : rounded);
 }
 
+bool is_mostly_bar(char32_t glyph) {
+    return std::u32string_view(U"▄▅▆▇█").find(glyph) != std::u32string_view::npos;
+}
+
+// The curve's characters, on the ground of the bar that they lie on: a bar goes on behind them.
+void lay_over_bars(Canvas& canvas, const CellArea& area, const Raster& raster) {
+    Canvas curve(area.columns, area.rows);
+    raster.show(curve, 0, 0);
+    for (int row = 0; row < area.rows; ++row)
+        for (int column = 0; column < area.columns; ++column) {
+            Cell cell = curve.at(column, row);
+            if (cell == Cell{}) continue;
+            const Cell& behind = canvas.at(area.column + column, area.row + row);
+            if (is_mostly_bar(behind.glyph)) {
+                cell.background = behind.foreground;
+                if (behind.foreground == default_color) cell.attributes |= reverse;
+            }
+            canvas.put(area.column + column, area.row + row, cell);
+        }
+}
+
 void draw_points(Canvas& canvas, const CellArea& area, const Points& points, const Span& x,
                  const Span& y, bool has_bars, const Look& look) {
     constexpr double aspect = 2.0;
@@ -72,7 +93,7 @@ void draw_points(Canvas& canvas, const CellArea& area, const Points& points, con
     for (std::size_t i = 1; i < points.size() && !has_bars; ++i)
         raster.line(place(points[i - 1].x, points[i - 1].y), place(points[i].x, points[i].y),
                     measured);
-    raster.show(canvas, area.column, area.row);
+    lay_over_bars(canvas, area, raster);
 }
 
 // The top of a bar. `share`: the filled part of its cell, 0 to 1.

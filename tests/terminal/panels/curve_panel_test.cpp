@@ -31,3 +31,28 @@ TEST_CASE("curves without points, small panels and numbers that are not finite d
          {CellArea{0, 0, 40, 10}, CellArea{0, 0, 16, 4}, CellArea{0, 0, 3, 3}})
         draw_curve(canvas, area, picture, look);
 }
+
+TEST_CASE("a bar goes on behind the curve that crosses it") {
+    CurvePicture picture{.title = "speeds", .value = "", .points = {}, .has_bars = true};
+    for (int i = 0; i <= 40; ++i)
+        picture.points.push_back({i / 40.0, i < 20 ? 2.0 : 0.1, 1.0});
+    for (const int colors : {direct_colors, 8, 0}) {
+        CAPTURE(colors);
+        const Look look{colors, true, false};
+        Canvas canvas(40, 12);
+        draw_curve(canvas, {0, 0, 40, 12}, picture, look);
+        const Color bar = ink_of_class(1, look).color;
+        int on_bars = 0;
+        int beside = 0;
+        for (int row = 0; row < canvas.rows(); ++row)
+            for (int column = 0; column < canvas.columns(); ++column) {
+                const Cell& cell = canvas.at(column, row);
+                if (cell.glyph <= U'\u2800' || cell.glyph > U'\u28ff') continue;
+                const bool is_on_bar =
+                    colors == 0 ? (cell.attributes & reverse) != 0 : cell.background == bar;
+                ++(is_on_bar ? on_bars : beside);
+            }
+        CHECK(on_bars > 5);
+        CHECK(beside > 5);
+    }
+}
