@@ -21,7 +21,7 @@ void lay_pane(Canvas& canvas, const CellArea& area, const Look& look) {
     if (!look.has_shades() || look.light_background) return;
     const Color pane = ink_of_color({20, 22, 30}, look).color;
     for (int row = area.row; row < area.row + area.rows; ++row)
-        for (int column = area.column; column < area.column + area.columns - 1; ++column)
+        for (int column = area.column; column < area.column + area.columns; ++column)
             if (canvas.holds(column, row) && canvas.at(column, row).background == default_color)
                 canvas.at(column, row).background = pane;
 }
@@ -164,7 +164,7 @@ void draw_rules_card(Canvas& canvas, const CellArea& area, std::string_view titl
                      const std::vector<std::string>& text, const Look& look) {
     canvas.clear(area);
     if (area.columns < 12 || area.rows < 4) return;
-    const CellArea inside{area.column + 1, area.row + 1, area.columns - 3, area.rows - 1};
+    const CellArea inside{area.column + 1, area.row + 1, area.columns - 2, area.rows - 1};
     int row = 0;
     const auto write = [&](std::string_view line, int indent, const Ink& ink) {
         const CellArea place{inside.column + indent, inside.row, inside.columns - indent,

@@ -91,3 +91,20 @@ TEST_CASE("a rules card wraps the author's text, with each word above what it do
             std::string::npos,
         text);
 }
+
+TEST_CASE("the pane behind a panel reaches all its edges") {
+    const Look look{direct_colors, true, false};
+    const auto has_pane = [](const Canvas& canvas) {
+        for (int row = 1; row < canvas.rows() - 1; ++row)
+            for (const int column : {1, canvas.columns() - 2})
+                if (canvas.at(column, row).background == default_color) return false;
+        return canvas.at(0, 1).background == default_color &&
+               canvas.at(canvas.columns() - 1, 1).background == default_color;
+    };
+    Canvas panel(36, 26);
+    draw_score_panel(panel, {1, 1, 34, 24}, {.title = "T", .score = "5"}, look);
+    CHECK(has_pane(panel));
+    Canvas card(36, 26);
+    draw_rules_card(card, {1, 1, 34, 24}, "HOW TO PLAY", {"Goal: all of them."}, look);
+    CHECK(has_pane(card));
+}
