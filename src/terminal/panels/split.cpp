@@ -28,7 +28,9 @@ Split side_by_side(const CellArea& area) {
     const int columns = std::max(0, (area.columns - 1) / 2);
     const Half left = half_of({area.column, area.row, columns, area.rows});
     const int middle = area.column + columns;
-    const Half right = half_of({middle + 1, area.row, columns, area.rows});
+    // Of an even number of columns the spare one lies beside the divider, not at the edge.
+    const Half right =
+        half_of({area.column + area.columns - columns, area.row, columns, area.rows});
     return {left.title,
             left.picture,
             right.title,
