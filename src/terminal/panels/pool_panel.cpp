@@ -84,17 +84,30 @@ void draw_tip(Canvas& canvas, const CellArea& area, const PoolPanel::Tip& tip,
     raster.show(canvas, area.column, area.row);
 }
 
-// The rows of a player: its name, then its group and the balls that it has left.
-void draw_player(Canvas& canvas, const CellArea& area, const PoolPanel::Player& player,
+enum class Side { left, right };  // of the score
+
+// The rows of a player: its name, then its group and the balls that it has left. Both lie beside
+// the score.
+void draw_player(Canvas& canvas, const CellArea& area, const PoolPanel::Player& player, Side side,
                  const Look& look) {
+    const auto start = [&](int width) {
+        return side == Side::right ? area.column : area.column + std::max(0, area.columns - width);
+    };
     const std::string_view mark = player.is_turn ? (look.utf8 ? "▸ " : "> ") : "  ";
-    write_cut(canvas, area, 0, std::string(mark) + player.name,
+    const std::string name = std::string(mark) + player.name;
+    const int first = start(columns_of(name));
+    write_cut(canvas, {first, area.row, area.columns, area.rows}, 0, name,
               ink_of(player.is_turn ? Role::strong : Role::text, look));
     if (player.group.empty()) return;
-    write_cut(canvas, area, 1, "  " + player.group, ink_of(Role::faint, look));
-    int column = area.column + 3 + columns_of(player.group);
+    const int balls = 3 * static_cast<int>(player.left.size());
+    const std::string group = "  " + player.group;
+    int column = start(columns_of(group) + balls);
+    const int end = area.column + area.columns;
+    write_cut(canvas, {column, area.row, end - column, area.rows}, 1, group,
+              ink_of(Role::faint, look));
+    column += columns_of(group) + 1;
     for (const int ball : player.left) {
-        if (column + 2 > area.column + area.columns) return;
+        if (column + 2 > end) return;
         column = write_ball(canvas, column, area.row + 1, ball, look) + 1;
     }
 }
@@ -122,9 +135,9 @@ void draw_strip(Canvas& canvas, const CellArea& area, const PoolPanel& panel,
         if (panel.race > 0) score += fmt::format("   race to {}", panel.race);
         const int middle = columns_of(score) + 4;
         const int side = (columns - middle) / 2;
-        draw_player(canvas, {area.column + 1, area.row, side, area.rows}, first, look);
+        draw_player(canvas, {area.column + 1, area.row, side, area.rows}, first, Side::left, look);
         draw_player(canvas, {area.column + 1 + side + middle, area.row, side, area.rows}, second,
-                    look);
+                    Side::right, look);
         canvas.write(area.column + 3 + side, area.row, score, ink_of(Role::counter, look).color,
                      default_color, bold);
     }

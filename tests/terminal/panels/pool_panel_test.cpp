@@ -35,6 +35,10 @@ TEST_CASE("pool panel: players, groups, the score and the tray, in ASCII without
     for (const char* part : {"> Ann", "solids  1  7", "2 : 0   race to 5", "carom", "stripes  9 15",
                              "pocketed  3 10", "x"})
         CHECK_MESSAGE(text.find(part) != std::string::npos, part, "\n", text);
+    // The score is in the middle, and both players are beside it.
+    CHECK(text.starts_with(std::string(30, ' ')));
+    const std::size_t first = text.find("> Ann");
+    CHECK(text.substr(first, 33) == "> Ann  2 : 0   race to 5    carom");
     Canvas column(3, 20);
     draw_pool_panel(column, {0, 0, 3, 20}, panel, ascii_renderer(), 2.0, look);
     CHECK(column.text().find(" 3\n 10\n") != std::string::npos);
