@@ -126,8 +126,9 @@ void PinballDisplay::celebrate(const Session& session, double seconds) {
         [&](BallId ball) { return is_in_play(session.scene(), state, ball); }));
     const bool is_large = state.score - score_ >= large || (balls > balls_ && balls > 1);
     const bool is_new_game = state.score < score_;
-    banner_left_ = std::max(0.0, banner_left_ - seconds);
-    if (is_large && !is_new_game && !state.message.empty()) {
+    // A tilt ends every celebration.
+    banner_left_ = state.is_tilted ? 0.0 : std::max(0.0, banner_left_ - seconds);
+    if (is_large && !is_new_game && !state.is_tilted && !state.message.empty()) {
         banner_ = state.message;
         banner_left_ = duration;
     }

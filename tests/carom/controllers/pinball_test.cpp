@@ -502,3 +502,27 @@ TEST_CASE("a plunger that is held as the game ends lets go while initials are ty
     CHECK(table.sees("ball 1 of 1"));
     CHECK_FALSE(table.sees("100 %"));
 }
+
+TEST_CASE("a tilt ends a celebration") {
+    const TableHome home;
+    std::string text = short_game;
+    text.replace(text.find("score 700"), 9, "score 7000, message \"WELL DONE\"");
+    text.replace(text.find("save=0s"), 7, "save=0s tilt=0");
+    text.replace(text.find("350,320 399,320"), 15, "10,10 20,10 r=3");
+    home.write("work.level", text);
+    AtTable table(home, true);
+    table.pass(1.0);
+    table.key(key::enter);
+    table.pass(1.5);
+    table.key(key::enter, InputEvent::Action::release);
+    for (int i = 0; i < 100 && !table.sees("W E L L"); ++i)
+        table.pass(0.05);
+    REQUIRE(table.sees("W E L L"));
+    for (int i = 0; i < 8; ++i) {
+        table.key(U'x');
+        table.pass(0.12);
+        table.key(U'x', InputEvent::Action::release);
+    }
+    CHECK(table.sees("TILT"));
+    CHECK_FALSE(table.sees("W E L L"));
+}
