@@ -294,12 +294,12 @@ Color blended(Color over, Color ground, double share, const Look& look) {
     return color_for_terminal(mix, look.colors);
 }
 
-Color dimmed(Color color, double share, const Look& look) {
+Color dimmed(Color color, double share, Color ground, const Look& look) {
     if (!look.has_shades() || !(share < 1.0) || color < 0) return color;
     constexpr double steps = 12.0;  // few, so that neighbouring cells share their colours
     const double rounded = std::round(std::max(0.0, share) * steps) / steps;
     // Half as bright to the eye is a quarter of the light.
-    return blended(color, ground_color(look), rounded * rounded, look);
+    return blended(color, ground, rounded * rounded, look);
 }
 
 Tones tones_of(Color color, const Look& look) {

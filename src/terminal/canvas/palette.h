@@ -75,8 +75,12 @@ Color foreground_color(const Look& look);
 /// as a colour that the terminal has. Without shades: the one of which there is more.
 Color blended(Color over, Color ground, double share, const Look& look);
 
-/// `color` mixed with the background: `share` (0 to 1) of the colour. Without shades, the colour.
-Color dimmed(Color color, double share, const Look& look);
+/// `color` mixed with a ground, or with the background: `share` (0 to 1) of the colour. Without
+/// shades, the colour.
+Color dimmed(Color color, double share, Color ground, const Look& look);
+inline Color dimmed(Color color, double share, const Look& look) {
+    return dimmed(color, share, ground_color(look), look);
+}
 
 /// The colours of a lit ball, from its shadow to its highlight. Without shades, all are `color`.
 struct Tones {

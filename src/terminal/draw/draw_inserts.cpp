@@ -148,13 +148,21 @@ void fill_polygon(Raster& raster, std::span<const RasterPoint> corners, const In
                 raster.sample(across, down, level, ink);
 }
 
+// An unlit light lets the board show through, whatever the colour of the screen around it.
+Color unlit(Color color, double share, int column, int row, const View& view) {
+    return dimmed(color, share, view.memory.ground.behind(column, row), view.options.look);
+}
+
 void paint_insert(Raster& raster, const View& view, const TableLight& light) {
     const Look& look = view.options.look;
     Ink ink = light.color ? dress_ink(*light.color, look) : ink_of_class(light.family, look);
     const RasterPoint at = to_raster(view.camera, light.shape.start);
     if (raster.renderer().has_regions()) {
         ink.attributes = light.is_lit ? bold : look.has_colors() ? plain : dim;
-        if (!light.is_lit && look.has_shades()) ink.color = dimmed(ink.color, 0.5, look);
+        const CellPoint cell = to_cells(view.camera, light.shape.start);
+        if (!light.is_lit && std::abs(cell.column) < 1e6 && std::abs(cell.row) < 1e6)
+            ink.color = unlit(ink.color, 0.5, static_cast<int>(std::floor(cell.column)),
+                              static_cast<int>(std::floor(cell.row)), view);
         return raster.stamp(at, glyph_of(light), ink);
     }
     const double radius =
@@ -192,7 +200,7 @@ void write_insert_names(BoardTexts& texts, const View& view) {
         if (texts.covers_light({row, first, first + width})) continue;
         Ink ink = light.color ? dress_ink(*light.color, look) : ink_of_class(light.family, look);
         ink.attributes = light.is_lit ? bold : plain;
-        if (!light.is_lit) ink.color = dimmed(ink.color, 0.6, look);
+        if (!light.is_lit) ink.color = unlit(ink.color, 0.6, first + width / 2, row, view);
         if (!look.has_colors()) ink.attributes = light.is_lit ? bold : dim;
         texts.write(first, row, light.text, ink);
     }

@@ -224,6 +224,16 @@ bool GroundLayer::is_bare(const Canvas& canvas, int column, int row) const {
            (cell.background == default_color || is_ground(cell.background));
 }
 
+Color GroundLayer::behind(int column, int row) const {
+    const CellArea& area = key_->camera.area;
+    const int across = column - area.column;
+    const int down = row - area.row;
+    const bool is_within =
+        across >= 0 && across < area.columns && down >= 0 && down < area.rows && !colors_.empty();
+    const Color ground = is_within ? color_of_cell(across, down) : default_color;
+    return ground == default_color ? ground_color(key_->look) : ground;
+}
+
 void GroundLayer::lay(Canvas& canvas) const {
     const CellArea& area = key_->camera.area;
     for (std::size_t i = 0; i < cloth_.size(); ++i) {
@@ -235,16 +245,13 @@ void GroundLayer::lay(Canvas& canvas) const {
             cell = {cloth_glyph, cloth_[i], default_color, plain};
     }
     if (colors_.empty()) return;
-    const Renderer& renderer = *key_->renderer;
     for (int row = 0; row < area.rows; ++row)
         for (int column = 0; column < area.columns; ++column) {
             if (!canvas.holds(area.column + column, area.row + row)) continue;
             Cell& cell = canvas.at(area.column + column, area.row + row);
             if (cell.background != default_color) continue;
-            if (renderer.has_pixels() && is_mosaic(cell.glyph)) continue;
-            const int across = column * renderer.across + renderer.across / 2;
-            const int down = row * renderer.down + renderer.down / 2;
-            cell.background = color_at(across, down);
+            if (key_->renderer->has_pixels() && is_mosaic(cell.glyph)) continue;
+            cell.background = color_of_cell(column, row);
             cell.foreground = legible_on(cell.foreground, cell.background, key_->look);
         }
 }

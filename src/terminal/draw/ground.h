@@ -36,6 +36,9 @@ class GroundLayer {
     Raster raster() const;
     /// Whether the cell shows the ground alone: no shape and no text.
     bool is_bare(const Canvas& canvas, int column, int row) const;
+    /// The colour of the ground in the middle of a cell of the canvas; that of the screen where the
+    /// picture has no ground. Pre: updated.
+    Color behind(int column, int row) const;
     /// Gives cells without a background of their own that of the ground, under text and shapes.
     void lay(Canvas& canvas) const;
 
@@ -53,6 +56,12 @@ class GroundLayer {
     void fill_board(const Scene& scene);
     void fill_area(const PaintedArea& area);
     Vec2 place_of(int across, int down) const;
+    /// In the middle of a cell of the camera's area.
+    Color color_of_cell(int column, int row) const {
+        const Renderer& renderer = *key_->renderer;
+        return color_at(column * renderer.across + renderer.across / 2,
+                        row * renderer.down + renderer.down / 2);
+    }
     Color color_at(int across, int down) const {
         return colors_[static_cast<std::size_t>(down) * static_cast<std::size_t>(across_) +
                        static_cast<std::size_t>(across)];

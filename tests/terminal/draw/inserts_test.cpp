@@ -24,7 +24,8 @@ TableLight light_at(Vec2 place, InsertShape shape, bool is_lit) {
 struct Picture {
     Canvas canvas{60, 30};
 
-    Picture(const TableAnnotations& table, const Renderer& renderer, const std::string& more = "") {
+    Picture(const TableAnnotations& table, const Renderer& renderer, const std::string& more = "",
+            bool is_light = false) {
         const LoadResult loaded =
             load_level("carom 1 \"t\"\nworld 0,0 60,60\nball a at=5,5 r=1\n" + more, "t.level");
         REQUIRE(loaded.scene);
@@ -34,9 +35,18 @@ struct Picture {
         ViewOptions options;
         options.renderer = &renderer;
         options.look.colors = direct_colors;
+        options.look.light_background = is_light;
         ViewMemory memory;
         draw_world(canvas, fit_camera(scene.view, {0, 0, 60, 30}, 2.0), scene, scene.world, {},
                    annotations, options, memory);
+    }
+    // The brightness of the first letter that is this one; 2: there is none.
+    double brightness_of(char32_t letter) const {
+        for (int row = 0; row < canvas.rows(); ++row)
+            for (int column = 0; column < canvas.columns(); ++column)
+                if (canvas.at(column, row).glyph == letter)
+                    return luminance(rgb_of(canvas.at(column, row).foreground));
+        return 2.0;
     }
     int count(Color color) const {
         int found = 0;
@@ -63,6 +73,21 @@ TEST_CASE("an insert has its shape and name, dim until it is lit") {
         CHECK(unlit.count(gold) == 0);
         CHECK(lit.count(gold) > 0);  // at least its name
     }
+}
+
+TEST_CASE("the name of an unlit insert is dark on a dark board, whatever the screen's ground") {
+    const std::string board = "theme board=navy\nbox 0,0 60,60\n";
+    for (const bool is_light : {false, true})
+        for (const Renderer* renderer : {&half_block_renderer(), &ascii_renderer()}) {
+            CAPTURE(is_light);
+            CAPTURE(renderer->name);
+            TableAnnotations table;
+            table.lights = {light_at({30, 30}, InsertShape::circle, false)};
+            const double unlit = Picture(table, *renderer, board, is_light).brightness_of(U'J');
+            table.lights.front().is_lit = true;
+            const double lit = Picture(table, *renderer, board, is_light).brightness_of(U'J');
+            CHECK(unlit < lit - 0.1);
+        }
 }
 
 TEST_CASE("small inserts are squares, the same wherever they lie, and dim until they are lit") {
