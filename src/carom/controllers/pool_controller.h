@@ -67,16 +67,17 @@ class PoolController : public FreeController {
     bool take_release(PlayContext& play) override;
 
   private:
-    /// The mouse pulls the cue.
+    /// The mouse pulls the cue. Only what it goes back along the shot counts, so the aim stays.
     struct Pull {
-        Vec2 shift;          ///< from the pointer to the hand
-        double slack = 0.0;  ///< see PoolAim::pull
-        ShotSetup before{};  ///< the aim, if no shot comes of it
-        Vec2 way{};          ///< of the shot, which a pull from anywhere keeps; zero: it turns
+        Vec2 from;           ///< where the mouse took the cue
+        Vec2 way;            ///< of the shot, a unit vector
+        double room = 0.0;   ///< how far the mouse can go back before the window ends, length
+        double least = 0.0;  ///< a shorter pull does not shoot, length
+        ShotSetup before;    ///< the aim, if no shot comes of it
     };
-    std::optional<Pull> grip_of_cue(const PlayContext& play) const;
-    Pull grip_from_anywhere(const PlayContext& play) const;
-    Vec2 hand_at_cue(const PlayContext& play, const Pull& pull) const;
+    bool is_on_stick(const PlayContext& play) const;
+    Pull grip(const PlayContext& play) const;
+    double pulled(const PlayContext& play) const;
     bool takes_key(PlayContext& play, const InputEvent& event);
     void start_push(PlayContext& play);
     void shoot(PlayContext& play, const std::optional<Stroke>& stroke = std::nullopt);

@@ -10,6 +10,19 @@ namespace {
 
 /// A shorter pull, in radii of the ball, does not shoot.
 constexpr double least_pull = 1.5;
+/// Where the window ends close behind, this share of the room is enough.
+constexpr double least_share = 0.5;
+
+/// How far a point can go back, against the unit vector `way`, before it leaves the box. Zero for
+/// a point outside.
+double room_behind(const Box& box, Vec2 from, Vec2 way) {
+    double room = length(box.high - box.low);
+    if (way.x != 0.0)
+        room = std::min(room, (from.x - (way.x > 0.0 ? box.low : box.high).x) / way.x);
+    if (way.y != 0.0)
+        room = std::min(room, (from.y - (way.y > 0.0 ? box.low : box.high).y) / way.y);
+    return std::max(0.0, room);
+}
 
 /// Different for each shot of a session: the draws of a stroke that may fail depend on it.
 std::uint64_t shot_number(const Session& session) {
@@ -62,8 +75,8 @@ void PoolController::point(PlayContext& play) {
     if (aims_by_mouse_) aim_.aim_at(play.session, play.pointer.at);
     if (!pulls) return;
     if (!players_.is_match(play.session)) {
-        const Pull pull = pull_.value_or(Pull{});
-        return aim_.pull(play.session, hand_at_cue(play, pull), pull.slack);
+        if (pull_) aim_.pull(play.session, pulled(play), pull_->room);
+        return;
     }
     if (!is_striking(play)) return;
     MouseStroke* const push = stroke_.push();
@@ -74,53 +87,41 @@ void PoolController::point(PlayContext& play) {
     shoot(play, stroke);
 }
 
+// Pre: pull_.
 void PoolController::start_push(PlayContext& play) {
-    const Session& session = play.session;
     const Camera& camera = play.view.camera;
-    const Vec2 velocity = aim_.strike(session).velocity;
-    const Vec2 way = velocity / length(velocity);
+    const Vec2 way = pull_->way;
     const Vec2 cell = to_world(camera, {1.0, 1.0}) - to_world(camera, {0.0, 0.0});
     const double grain = 0.5 * (std::abs(way.x * cell.y) + std::abs(way.y * cell.x));
-    const World& world = session.world();
-    const double radius = world.balls().radius[*index_of(world, *aim_.cue_ball(session))];
-    stroke_.start_push(
-        MouseStroke(play.pointer.at, way, least_pull * radius, grain, stroke_.time(after_)));
+    stroke_.start_push(MouseStroke(pull_->from, way, pull_->least, grain, stroke_.time(after_)));
 }
 
-// The left button takes the cue at the stick, of which the part at the tip is the hand's then. A
-// pull from there turns the cue little, so it keeps the aim.
-std::optional<PoolController::Pull> PoolController::grip_of_cue(const PlayContext& play) const {
+bool PoolController::is_on_stick(const PlayContext& play) const {
     const PoolAnnotations::Line stick = aim_.stick(play.session);
     const double long_ = length(stick.to - stick.from);
     const Vec2 back = (stick.to - stick.from) / long_;
     const double along = dot(play.pointer.at - stick.from, back);
-    if (along < 0.0 || along > long_) return std::nullopt;
-    const Vec2 at = stick.from + back * along;
-    if (distance(at, play.pointer.at) > slack(play)) return std::nullopt;
-    const World& world = play.session.world();
-    const Vec2 ball = world.balls().position[*index_of(world, *aim_.cue_ball(play.session))];
-    return Pull{at - play.pointer.at, distance(at, ball), aim_.setup()};
+    return along >= 0.0 && along <= long_ &&
+           distance(stick.from + back * along, play.pointer.at) <= slack(play);
 }
 
-// The right button takes the cue wherever the pointer is: near the edge of the window there would
-// be no room to pull it back. The way of the shot stays, and only what is pulled along it counts.
-PoolController::Pull PoolController::grip_from_anywhere(const PlayContext& play) const {
+PoolController::Pull PoolController::grip(const PlayContext& play) const {
     const World& world = play.session.world();
-    const auto ball = *index_of(world, *aim_.cue_ball(play.session));
+    const double radius = world.balls().radius[*index_of(world, *aim_.cue_ball(play.session))];
     const Vec2 velocity = aim_.strike(play.session).velocity;
-    const Vec2 way = velocity / length(velocity);
-    const double slack = world.balls().radius[ball];
-    const Vec2 hand = world.balls().position[ball] - way * slack;
-    return Pull{hand - play.pointer.at, slack, aim_.setup(), way};
+    Pull pull{play.pointer.at, velocity / length(velocity), 0.0, 0.0, aim_.setup()};
+    const Camera& camera = play.view.camera;
+    const Vec2 half_a_cell = Vec2{1.0, camera.aspect} * (0.5 / camera.columns_per_length);
+    Box window = visible_box(camera);
+    window = {window.low + half_a_cell, window.high - half_a_cell};
+    pull.room = room_behind(window, pull.from, pull.way);
+    pull.least = std::min(least_pull * radius, least_share * pull.room);
+    return pull;
 }
 
-Vec2 PoolController::hand_at_cue(const PlayContext& play, const Pull& pull) const {
-    const Vec2 hand = play.pointer.at + pull.shift;
-    const auto cue = aim_.cue_ball(play.session);
-    if (pull.way == Vec2{} || !cue) return hand;
-    const World& world = play.session.world();
-    const Vec2 ball = world.balls().position[*index_of(world, *cue)];
-    return ball - pull.way * std::max(pull.slack, dot(ball - hand, pull.way));
+// Pre: pull_.
+double PoolController::pulled(const PlayContext& play) const {
+    return std::clamp(dot(pull_->from - play.pointer.at, pull_->way), 0.0, pull_->room);
 }
 
 bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
@@ -154,15 +155,10 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     }
     pointer.pressed = event.button;
     pull_.reset();
-    if (at_pointer == cue)
-        pull_ = Pull{{}, 0.0, aim_.setup()};
-    else if (!is_left)
-        pull_ = grip_from_anywhere(play);
-    else if (aim_.call_pocket(play.session, pointer.at))
-        return true;
-    else
-        pull_ = grip_of_cue(play);
-    if (pull_) {
+    const bool takes_cue = !is_left || at_pointer == cue;
+    if (!takes_cue && aim_.call_pocket(play.session, pointer.at)) return true;
+    if (takes_cue || is_on_stick(play)) {
+        pull_ = grip(play);
         pointer.cue_is_armed = false;
         pointer.tool.take_cue(*cue, pointer.at);
         if (players_.is_match(play.session)) start_push(play);
@@ -175,6 +171,7 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
 
 bool PoolController::take_release(PlayContext& play) {
     if (std::exchange(aims_by_mouse_, false)) return true;
+    const double length_pulled = pull_ ? pulled(play) : 0.0;
     const auto pull = std::exchange(pull_, std::nullopt);
     if (!play.pointer.tool.has_cue()) return stroke_.push() != nullptr;
     play.pointer.tool.forget();
@@ -183,17 +180,11 @@ bool PoolController::take_release(PlayContext& play) {
         say(play, "Pull the cue back, then push it through where you took it.");
         return true;
     }
-    const World& world = play.session.world();
-    const auto cue = aim_.cue_ball(play.session);
-    const auto index = cue ? index_of(world, *cue) : std::nullopt;
-    if (!index || !is_aiming(play)) return true;
-    const Pull from = pull.value_or(Pull{{}, 0.0, aim_.setup()});
-    const Vec2 hand = hand_at_cue(play, from);
-    const double pulled = distance(hand, world.balls().position[*index]) - from.slack;
-    if (pulled > least_pull * world.balls().radius[*index])
+    if (!pull || !is_aiming(play)) return true;
+    if (length_pulled > pull->least)
         shoot(play);
     else
-        aim_.set_up(play.session, from.before);
+        aim_.set_up(play.session, pull->before);
     return true;
 }
 

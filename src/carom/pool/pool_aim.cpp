@@ -19,7 +19,7 @@ namespace carom {
 namespace {
 
 // The speed is gentle at first, so that soft shots can be measured out, and full within the room
-// that a window of 80 columns leaves behind the cue ball.
+// that a window of 80 columns leaves behind a cue ball in the middle of the table.
 constexpr double pull_gain = 3.0;     // ball speed per length of pull, 1/s
 constexpr double pull_growth = 0.34;  // the gain's growth for each radius of pull, 1/s
 constexpr double least_speed = 0.1;
@@ -29,6 +29,12 @@ constexpr double usual_speed = 2.0;
 
 Vec2 place_of(const World& world, BallId ball) {
     return world.balls().position[*index_of(world, ball)];
+}
+
+// The pull that gives a ball of this radius the speed.
+double pull_for(double speed, double radius) {
+    const double growth = pull_growth / radius;
+    return (std::sqrt(pull_gain * pull_gain + 4.0 * growth * speed) - pull_gain) / (2.0 * growth);
 }
 
 double bearing_of(Vec2 way) {
@@ -189,18 +195,20 @@ void PoolAim::aim_at(const Session& session, Vec2 place) {
     has_aimed_ = true;
 }
 
-void PoolAim::pull(const Session& session, Vec2 hand, double slack) {
+// Where the room is short, what it lacks is added to the pull by the square of its share of the
+// room, so soft shots can still be measured out.
+void PoolAim::pull(const Session& session, double pulled, double room) {
     const auto cue = cue_ball(session);
     if (!cue) return;
-    const Vec2 way = place_of(session.world(), *cue) - hand;
-    if (!(length(way) > 0.0)) return;
-    setup_.bearing = bearing_of(way);
     has_aimed_ = true;
     const World& world = session.world();
     const double radius = world.balls().radius[*index_of(world, *cue)];
-    const double pulled = std::max(0.0, length(way) - slack);
-    setup_.speed = std::clamp(pulled * (pull_gain + pull_growth * pulled / radius), least_speed,
-                              cue_in_turn(session).most_power);
+    const double most = cue_in_turn(session).most_power;
+    const double share = room > 0.0 ? pulled / room : 0.0;
+    const double lacking = std::max(0.0, pull_for(most, radius) - room);
+    const double counted = pulled + lacking * share * share;
+    setup_.speed =
+        std::clamp(counted * (pull_gain + pull_growth * counted / radius), least_speed, most);
 }
 
 void PoolAim::set_match(bool is_match) {

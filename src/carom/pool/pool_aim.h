@@ -45,9 +45,9 @@ class PoolAim {
     void change_speed(double by);               ///< length/s; clamped to the level's limits
     void move_tip(double side, double follow);  ///< in radii
     void aim_at(const Session& session, Vec2 place);
-    /// Pulls the cue back to `hand`: the ball goes the opposite way. Its speed grows with the pull,
-    /// the distance of hand and ball, of which `slack` does not count.
-    void pull(const Session& session, Vec2 hand, double slack = 0.0);
+    /// Pulls the cue back along the aim by `pulled`, length, >= 0. The speed grows with it, and is
+    /// full before the mouse has gone all of its `room`, length, >= `pulled`.
+    void pull(const Session& session, double pulled, double room);
     /// The cue as it is drawn, from its tip to its butt. Pre: may_aim().
     PoolAnnotations::Line stick(const Session& session) const;
     /// Aims at the next ball that can be pocketed, the easiest first; in a match, full at the next
