@@ -575,17 +575,17 @@ TEST_CASE("in a watched recording, keys control time and view but not the world"
 TEST_CASE("a split window shows one solver after another, and finally the game alone") {
     Person person;
     person.key(U'S');
-    CHECK(person.sees("| event  tick 0"));
+    CHECK(person.sees("|  event  tick 0"));
     CHECK(person.sees("identical since t=0.000"));
     person.pass(0.25);
     CHECK(person.sees(" swept  tick 30"));
-    CHECK(person.sees("| event  tick 30"));
+    CHECK(person.sees("|  event  tick 30"));
     person.key(U'S');
-    CHECK(person.sees("| contact  tick 30"));
+    CHECK(person.sees("|  contact  tick 30"));
     person.key(U'S');
-    CHECK(person.sees("| substep 4x15  tick 30"));
+    CHECK(person.sees("|  substep 4x15  tick 30"));
     person.key(U'S');
-    CHECK(person.sees("| discrete  tick 30"));
+    CHECK(person.sees("|  discrete  tick 30"));
     person.key(U'S');
     CHECK_FALSE(person.sees("tick 30 "));
     CHECK(person.sees("Split view off."));
@@ -595,7 +595,7 @@ TEST_CASE("a divergence is marked in both halves, announced, and cleared by goin
     Person person;
     for (int i = 0; i < 4; ++i)
         person.key(U'S');
-    REQUIRE(person.sees("| discrete"));
+    REQUIRE(person.sees("|  discrete"));
     person.pass(2.0);
     const std::string text = person.look();
     CHECK(text.find("diverged at t=") != std::string::npos);
