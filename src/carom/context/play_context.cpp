@@ -15,7 +15,7 @@ constexpr double reach = 3.0;
 }  // namespace
 
 Camera Controller::fit(const PlayContext& play, const CellArea& area, double aspect) {
-    return fit_camera(play.view.shown, area, aspect);
+    return play.view.fitted(area, aspect);
 }
 
 void Controller::annotate(const PlayContext& play, Annotations& annotations) const {

@@ -2,6 +2,16 @@
 
 namespace carom {
 
+void PlayView::measure(const Scene& scene) {
+    const Board& board = memory.ground.board(scene);
+    shown = shown_box(scene, board);
+    has_board = !board.is_empty();
+}
+
+Camera PlayView::fitted(const CellArea& area, double aspect) const {
+    return fit_camera(shown, area, aspect, has_board ? 0.0 : fit_margin);
+}
+
 void PlayView::zoom(CellPoint fixed, double factor) {
     camera = zoomed(camera, fixed, factor);
     is_fitted = false;

@@ -10,8 +10,9 @@ namespace carom {
 
 struct PlayView {
     ViewOptions options;
-    ViewOptions defaults;  ///< of the options, before any key changed them
-    Box shown;             ///< what the fitted camera shows: the level with its rail
+    ViewOptions defaults;    ///< of the options, before any key changed them
+    Box shown;               ///< what the fitted camera shows: the level with its board
+    bool has_board = false;  ///< `shown` ends with a board
     ViewMemory memory;
     Camera camera;
     bool is_fitted = true;     ///< the camera shows the whole scene
@@ -19,6 +20,11 @@ struct PlayView {
     bool follows = false;      ///< the camera follows the selected ball
     std::optional<BallId> selected;
 
+    /// Finds what the fitted camera shows.
+    void measure(const Scene& scene);
+    /// The camera that shows all. A board fills the area to its edge: then its rail begins with a
+    /// cell, where it would otherwise share one with the ground around it.
+    Camera fitted(const CellArea& area, double aspect) const;
     /// Zooms in by `factor`; the world point under `fixed` stays where it is.
     void zoom(CellPoint fixed, double factor);
     void pan(double columns, double rows);

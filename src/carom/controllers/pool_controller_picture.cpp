@@ -28,7 +28,8 @@ void PoolController::annotate(const PlayContext& play, Annotations& annotations)
 Camera PoolController::fit(const PlayContext& play, const CellArea& area, double aspect) {
     const ShotsState* const shots = shots_of(play.session);
     const auto part = shots ? box_to_look_at(play.session.scene(), *shots) : std::nullopt;
-    return fit_camera(part && !play.view.shows_whole ? *part : play.view.shown, area, aspect);
+    return part && !play.view.shows_whole ? fit_camera(*part, area, aspect)
+                                          : play.view.fitted(area, aspect);
 }
 
 void PoolController::cut_panel(const PlayContext& play, CellArea& area) {

@@ -21,7 +21,7 @@ namespace {
 void lay_out(PlayContext& play, const Canvas& canvas, double aspect) {
     const Scene& scene = play.session.scene();
     PlayView& view = play.view;
-    view.shown = shown_box(scene, view.memory.ground.board(scene));
+    view.measure(scene);
     const bool is_split = play.companion.comparison().has_value();
     CellArea area = world_area(canvas.columns(), canvas.rows());
     play.panels.cut(area, scene, is_split);
@@ -30,8 +30,8 @@ void lay_out(PlayContext& play, const Canvas& canvas, double aspect) {
     else
         play.controller->cut_panel(play, area);
     if (view.is_fitted)
-        view.camera = is_split ? fit_camera(view.shown, area, aspect)
-                               : play.controller->fit(play, area, aspect);
+        view.camera =
+            is_split ? view.fitted(area, aspect) : play.controller->fit(play, area, aspect);
     else if (!(view.camera.area == area) || view.camera.aspect != aspect)
         view.camera = resized(view.camera, area, aspect);
 }
@@ -126,15 +126,14 @@ void Player::draw(Canvas& canvas, double aspect) {
 
 // An aim is not drawn before Controller::look() is called.
 Vec2 Player::preview_size() {
-    const Scene& scene = session().scene();
-    return size(shown_box(scene, play_.view.memory.ground.board(scene)));
+    play_.view.measure(session().scene());
+    return size(play_.view.shown);
 }
 
 void Player::draw_preview(Canvas& canvas, const CellArea& area, double aspect) {
     play_.needs_draw = false;
     play_.view.shows_whole = true;
-    play_.view.shown =
-        shown_box(session().scene(), play_.view.memory.ground.board(session().scene()));
+    play_.view.measure(session().scene());
     play_.view.camera = play_.controller->fit(play_, area, aspect);
     ViewOptions options = view();
     options.counters = options.board_texts = false;

@@ -7,8 +7,6 @@ namespace carom {
 
 namespace {
 
-constexpr double margin_columns = 0.5;
-
 bool is_usable(double factor) {
     return std::isfinite(factor) && factor > 0.0;
 }
@@ -25,7 +23,7 @@ Vec2 extent(const CellArea& area, double aspect) {
 
 }  // namespace
 
-Camera fit_camera(const Box& view, const CellArea& area, double aspect) {
+Camera fit_camera(const Box& view, const CellArea& area, double aspect, double margin) {
     Camera camera;
     camera.area = area;
     camera.aspect = is_usable(aspect) ? aspect : 2.0;
@@ -35,7 +33,7 @@ Camera fit_camera(const Box& view, const CellArea& area, double aspect) {
     const double least = std::max(world.x, world.y) > 0.0 ? 0.0 : 2.0;
     world = {std::max(world.x, least), std::max(world.y, least)};
     const Vec2 room = extent(area, camera.aspect);
-    const double margin = room.x > 4.0 && room.y > 4.0 ? margin_columns : 0.0;
+    if (!(room.x > 4.0 && room.y > 4.0)) margin = 0.0;
     const double across = world.x > 0.0 ? (room.x - 2.0 * margin) / world.x : HUGE_VAL;
     const double down = world.y > 0.0 ? (room.y - 2.0 * margin) / world.y : HUGE_VAL;
     camera.columns_per_length = within_limits(std::min(across, down));

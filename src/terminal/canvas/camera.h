@@ -24,10 +24,13 @@ struct Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// A camera that fits all of `view` into the area, centred, with a margin of half a column. A view
-/// of zero extent is shown as if it were 2 wide; an area without cells counts as one cell; an
-/// aspect that is not positive and finite counts as 2.
-Camera fit_camera(const Box& view, const CellArea& area, double aspect);
+/// Columns around a view that is fitted into an area, so that walls at its edge are seen.
+inline constexpr double fit_margin = 0.5;
+
+/// A camera that fits all of `view` into the area, centred. A small area has no margin. A view of
+/// zero extent is shown as if it were 2 wide; an area without cells counts as one cell; an aspect
+/// that is not positive and finite counts as 2. Pre: margin >= 0.
+Camera fit_camera(const Box& view, const CellArea& area, double aspect, double margin = fit_margin);
 
 CellPoint to_cells(const Camera& camera, Vec2 point);
 Vec2 to_world(const Camera& camera, CellPoint place);

@@ -10,6 +10,7 @@
 #include "carom/support/person.h"
 #include "game/support/shipped.h"
 #include "physics/world/fingerprint.h"
+#include "terminal/draw/board.h"
 
 using namespace carom;
 using carom::test::always;
@@ -60,6 +61,21 @@ struct Person : test::PersonAtWindow {
 };
 
 }  // namespace
+
+TEST_CASE("the rail of a table begins with a row of cells, in play and in a preview") {
+    test::PersonAtWindow person(session_of("eight-ball"), 90, 24);
+    const Box frame = Board(person.player.session().scene()).frame();
+    const auto check = [&] {
+        const Camera& camera = person.player.camera();
+        CHECK(to_cells(camera, frame.high).row == doctest::Approx(camera.area.row));
+        CHECK(to_cells(camera, frame.low).row ==
+              doctest::Approx(camera.area.row + camera.area.rows));
+    };
+    check();
+    Canvas preview(60, 10);
+    person.player.draw_preview(preview, {0, 0, 60, 10}, 2.0);
+    check();
+}
 
 TEST_CASE("a break by keys: enter shoots, and the referee reports the outcome") {
     Person person("eight-ball");

@@ -29,6 +29,12 @@ TEST_CASE("the whole view is visible, and fills the window in one direction") {
     }
 }
 
+TEST_CASE("without a margin a view ends with the cells of the window") {
+    const Camera camera = fit_camera({{0, 0}, {30, 40}}, window, 2.0, 0.0);
+    CHECK(to_cells(camera, {0, 40}).row == doctest::Approx(window.row));
+    CHECK(to_cells(camera, {0, 0}).row == doctest::Approx(window.row + window.rows));
+}
+
 TEST_CASE("mapping a world point to cells and back gives the point") {
     const Camera camera = fit_camera({{-7, 3}, {90, 40}}, window, 1.9);
     for (const Vec2 point : {Vec2{0, 0}, Vec2{-7, 3}, Vec2{1e3, -1e3}, Vec2{41.5, 21.5}}) {
