@@ -230,6 +230,8 @@ PageExtent draw_about(Canvas& canvas, std::string_view title, std::string_view g
 void draw_items(Canvas& canvas, const CellArea& area, std::span<const PageItem> items,
                 const Look& look) {
     for (std::size_t count = items.size(); count > 0; --count) {
+        // A heading without what it announces says nothing.
+        if (count < items.size() && items[count - 1].text.ends_with(':')) continue;
         const std::vector<Line> lines = lines_of(items.first(count), area.columns, look);
         if (static_cast<int>(lines.size()) > area.rows) continue;
         for (std::size_t i = 0; i < lines.size(); ++i)

@@ -126,6 +126,16 @@ TEST_CASE("found 12: in a page about a level, keys stay beside their meanings") 
 )");
 }
 
+TEST_CASE("a heading is left out where nothing below it fits") {
+    const std::vector<PageItem> items = {
+        {"", "Balls."}, {"", ""}, {"", "Try:"}, {"c", "colour by speed"}};
+    Canvas canvas(40, 4);
+    draw_items(canvas, {0, 0, 40, 3}, items, {0, false, false});
+    CHECK(canvas.text() == "Balls.\n\n\n\n");
+    draw_items(canvas, {0, 0, 40, 4}, items, {0, false, false});
+    CHECK(canvas.text() == "Balls.\n\nTry:\nc  colour by speed\n");
+}
+
 TEST_CASE("no key is lost, whatever the window") {
     for (const int columns : {20, 33, 40, 79, 80, 120, 200, 300}) {
         std::string all;
