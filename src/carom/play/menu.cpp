@@ -11,6 +11,7 @@
 #include "carom/files/recording.h"
 #include "carom/text/level_words.h"
 #include "game/rules/goal.h"
+#include "terminal/canvas/character_width.h"
 #include "terminal/panels/pages.h"
 
 namespace carom {
@@ -22,8 +23,11 @@ constexpr double load_delay = 0.12;
 /// High scores that are shown.
 constexpr std::size_t most_notes = 3;
 
-/// Columns; narrower windows have a shorter last line.
-constexpr int least_long_footer = 62;
+/// The last line: the longest that fits.
+constexpr std::array<std::string_view, 4> footers = {
+    "enter play   <- -> groups   type to search   f1 help   f2 theme   q quit",
+    "enter play  <- -> groups  f1 help  f2 theme  q quit", "enter play  f1 help  q quit",
+    "enter play"};
 
 constexpr std::array<std::string_view, 2> empty_group = {
     "No level in this folder, and no recording, yet.",
@@ -211,9 +215,10 @@ MenuPage Menu::page() const {
                   .group = group_,
                   .selected = selected_,
                   .search = search_,
-                  .footer = columns_ < least_long_footer
-                                ? "enter play  <- -> groups  q quit"
-                                : "enter play   <- -> groups   type to search   f2 theme   q quit"};
+                  .footer = std::string(footers.back())};
+    const auto footer = std::ranges::find_if(
+        footers, [&](std::string_view text) { return columns_of(text) + 2 <= columns_; });
+    if (footer != footers.end()) page.footer = *footer;
     if (!search_.empty()) page.footer = fmt::format("search: {}   esc clears", search_);
     page.message = message_;
     for (const MenuItem* item : shown()) {

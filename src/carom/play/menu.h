@@ -59,6 +59,7 @@ class Menu {
     void touch() { needs_draw_ = true; }
     /// Shows a message in the last line, until the next key.
     void tell(std::string message);
+    void tell_keys();
     void draw(Canvas& canvas, double aspect, const ViewOptions& view);
 
     /// The items of the open group, or those of all groups that match the search; and the selected

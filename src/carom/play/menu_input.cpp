@@ -62,6 +62,13 @@ Menu::Choice Menu::handle_key(const InputEvent& event) {
                 search_.pop_back();
             search(search_.substr(0, search_.empty() ? 0 : search_.size() - 1));
             return {};
+        case key::f1:
+            tell_keys();
+            return {};
+        case U'?':
+            if (!search_.empty()) break;
+            tell_keys();
+            return {};
         case U'q':
             if (search_.empty()) return Quit{};
             break;
@@ -77,6 +84,11 @@ Menu::Choice Menu::handle_key(const InputEvent& event) {
         search(std::move(text));
     }
     return {};
+}
+
+void Menu::tell_keys() {
+    tell(columns_ < 60 ? "In a game: ? keys, f1 the level"
+                       : "Enter plays. In a game, ? lists the keys, f1 tells of the level.");
 }
 
 // Escape goes back everywhere else, so a press too many must not end the program.

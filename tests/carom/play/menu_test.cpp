@@ -81,6 +81,36 @@ TEST_CASE("typing searches names and titles") {
     CHECK(visitor.selected() == "gas");
 }
 
+TEST_CASE("f1 and ? say where the keys are, but a search may hold a ?") {
+    for (const char32_t asks : {char32_t{U'?'}, char32_t{key::f1}}) {
+        Visitor visitor;
+        visitor.look();
+        visitor.key(asks);
+        CHECK(visitor.look().find("? lists the keys") != std::string::npos);
+        CHECK(visitor.selected() == "balls");
+        visitor.key(key::down);
+        CHECK(visitor.look().find("? lists the keys") == std::string::npos);
+    }
+    Visitor visitor;
+    visitor.key(U'I');
+    visitor.key(U'?');
+    CHECK(visitor.look().find("search: I?") != std::string::npos);
+}
+
+TEST_CASE("the last line is never cut") {
+    for (int columns = 20; columns < 90; ++columns) {
+        CAPTURE(columns);
+        Visitor visitor;
+        visitor.window = Canvas(columns, 12);
+        visitor.look();
+        const std::string text = visitor.look();
+        const std::size_t start = text.rfind('\n', text.size() - 2) + 1;
+        const std::string line = text.substr(start, text.size() - start - 1);
+        CHECK(line.starts_with(" enter play"));
+        CHECK((line.ends_with(" quit") || line == " enter play"));
+    }
+}
+
 TEST_CASE("typing searches what is said about a level too") {
     std::vector<MenuItem> items{{"plain", "Plain", "Play", "/l/plain.level", "Nothing special"},
                                 {"table", "Table", "Play", "/l/table.level", "Two jackpots"}};
