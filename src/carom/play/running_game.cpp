@@ -188,7 +188,7 @@ void RunningGame::save_level(const SavePrompt::Answer& answer, std::size_t most)
     if (const auto problem =
             write_file_atomically(path, amended.text ? *amended.text : level_text(scene, world)))
         return player.complain(*problem);
-    std::string done = "Saved as " + path + ".";
+    std::string done = "Saved as " + path + ". Play it from the menu, in the group Yours.";
     if (!amended.text) done = fmt::format("Saved flat as {}, since {}.", path, amended.obstacle);
     const auto removed = most == unlimited ? std::nullopt : remove_oldest(".", ".level", most);
     if (removed) done += fmt::format(" {}, the oldest of {}, is gone.", *removed, most);

@@ -421,7 +421,7 @@ TEST_CASE("found 34: a level is saved under the name that is typed, in its autho
     running.pass(1.0);  // the game waits
     CHECK(running.look() == before);
     running.key(key::enter);
-    CHECK(running.sees("Saved as my.level."));
+    CHECK(running.sees("Saved as my.level. Play it from the menu, in the group Yours."));
     const std::string saved = contents("my.level");
     CHECK(saved.starts_with(level));
     CHECK(saved.find("\nmove a at=") != std::string::npos);
