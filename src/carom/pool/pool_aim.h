@@ -129,7 +129,7 @@ const Cue& cue_in_turn(const Session& session);
 std::vector<Vec2> places_of_balls(const Session& session);
 /// The numbers on the balls, if a game or a rack gives them any.
 std::vector<PoolAnnotations::Number> numbers_of(const Session& session);
-/// The balls of a game of shots that have returned to the table.
+/// The balls of a game that have returned to the table.
 std::vector<PoolAnnotations::Returned> returned_of(const Session& session);
 
 }  // namespace carom

@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "carom/pool/pool_aim.h"
+#include "carom/pool/pool_status.h"
 #include "carom/pool/power_bar.h"
 #include "carom/pool/shot_picture.h"
 #include "game/ai/pool_shots.h"
 #include "game/commands/aiming.h"
+#include "game/pool/table_places.h"
 #include "game/referees/referee.h"
 #include "geometry/elementary.h"
 #include "geometry/impact.h"
@@ -70,12 +72,17 @@ std::vector<PoolAnnotations::Number> numbers_of(const Session& session) {
 }
 
 std::vector<PoolAnnotations::Returned> returned_of(const Session& session) {
+    const Scene& scene = session.scene();
     std::vector<PoolAnnotations::Returned> returned;
-    const auto* const shots = std::get_if<ShotsState>(&session.game());
-    const std::vector<BallId>& ids = session.scene().world.balls().id;
-    for (std::size_t ball = 0; shots && ball < shots->balls.size(); ++ball)
-        if (const auto now = shots->balls[ball]; now && *now != ids[ball])
-            returned.push_back({*now, ids[ball]});
+    const auto add = [&](std::optional<BallId> now, BallId before) {
+        if (now && *now != before) returned.push_back({*now, before});
+    };
+    if (const PoolPlay* const pool = pool_of(session))
+        for (int ball = 0; ball <= object_balls(scene); ++ball)
+            add(pool->balls[static_cast<std::size_t>(ball)], first_ball(scene, ball));
+    if (const ShotsState* const shots = shots_of(session))
+        for (std::size_t ball = 0; ball < shots->balls.size(); ++ball)
+            add(shots->balls[ball], scene.world.balls().id[ball]);
     return returned;
 }
 
