@@ -108,8 +108,11 @@ bool next_pot_under_rules(PoolController& table, PlayContext& play, bool backwar
 }
 
 void next_call(PoolController& table, PlayContext& play) {
-    if (table.stroke().meter()) return;
-    say(play, table.aim().next_call(play.session));
+    if (table.is_aiming(play)) return say(play, table.aim().next_call(play.session));
+    if (table.players().is_opponents_turn(play.session))
+        say(play, table.players().opponent_text());
+    else if (!table.stroke().meter())
+        say(play, "Nothing is called now.");
 }
 
 void next_aids(PoolController& table, PlayContext& play) {

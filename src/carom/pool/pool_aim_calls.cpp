@@ -47,7 +47,7 @@ bool PoolAim::call_pocket(const Session& session, Vec2 place) {
 
 std::string PoolAim::next_call(const Session& session) {
     const PoolPlay* game = play(session);
-    if (!game || game->rules.phase != PoolPhase::playing) return "nothing is called now";
+    if (!game || game->rules.phase != PoolPhase::playing) return "Nothing is called now.";
     if (game->rules.may_push_out) {
         setup_.intent = setup_.intent == Intent::push_out ? Intent::automatic : Intent::push_out;
         return setup_.intent == Intent::push_out ? "push-out" : "no push-out";

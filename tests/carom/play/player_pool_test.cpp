@@ -717,3 +717,25 @@ TEST_CASE("issue 20: no key takes the cue away while the balls roll") {
         CHECK(person.player.session().commands().size() > shots);
     }
 }
+
+TEST_CASE("d calls nothing while the balls roll or the opponent plays") {
+    Person person("straight-pool");
+    person.key(key::enter);
+    person.key(U'd');
+    CHECK(person.sees("Nothing is called now."));
+    person.wait();
+    REQUIRE(person.play().rules.phase == PoolPhase::choosing);
+    person.key(U'1');
+    person.key(U'd');
+    CHECK(person.sees("safety: the turn passes"));
+    person.key(U'd');
+    CHECK_FALSE(person.sees("safety: the turn passes"));
+
+    Person in_match("straight-pool");
+    in_match.players().set_opponent(in_match.player.session(), 2);
+    in_match.stroke();
+    in_match.wait();
+    REQUIRE(in_match.play().rules.player == 1);
+    in_match.key(U'd');
+    CHECK_FALSE(in_match.sees("safety"));
+}
