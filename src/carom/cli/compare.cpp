@@ -9,6 +9,7 @@
 #include "carom/cli/load_and_report.h"
 #include "carom/cli/progress.h"
 #include "carom/files/files.h"
+#include "carom/files/output_clash.h"
 #include "carom/files/print.h"
 #include "lab/compare/compare.h"
 #include "lab/run/run_record.h"
@@ -42,6 +43,10 @@ int compare_scene(const CompareOptions& options, const Scene& scene) {
         if (supports(side.kind, scene.world.model())) continue;
         print_error(fmt::format("solver {} does not know {}", name(side.kind),
                                 scene.world.model().hinged ? "seesaws" : "cloth"));
+        return 2;
+    }
+    if (const auto why = clash_of_outputs({&options.json, 1}, scene.files)) {
+        print_error(*why);
         return 2;
     }
     std::optional<OutputFile> json;

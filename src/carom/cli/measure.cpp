@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 #include <functional>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "carom/cli/open_recording.h"
 #include "carom/cli/progress.h"
 #include "carom/files/files.h"
+#include "carom/files/output_clash.h"
 #include "carom/files/print.h"
 #include "carom/files/recording.h"
 #include "lab/measure/measure.h"
@@ -92,7 +94,8 @@ class Outputs {
 struct Measurable {
     Scene scene;
     std::vector<TimedCommand> commands;
-    std::optional<double> time;  ///< s: the length of a recording
+    std::optional<double> time;      ///< s: the length of a recording
+    std::vector<std::string> files;  ///< from which it was read
 };
 
 std::optional<Measurable> open_recorded(const MeasureOptions& options) {
@@ -104,7 +107,7 @@ std::optional<Measurable> open_recorded(const MeasureOptions& options) {
     auto& [replay, scene] = *opened;
     scene.solver = replay.solver;
     const double time = static_cast<double>(replay.end) / scene.world.rate();
-    return Measurable{std::move(scene), std::move(replay.commands), time};
+    return Measurable{std::move(scene), std::move(replay.commands), time, {options.level}};
 }
 
 // None: an error, which has been printed.
@@ -114,7 +117,9 @@ std::optional<Measurable> open(const MeasureOptions& options) {
         options.level,
         {.overrides = options.overrides, .seed = options.seed, .rate = options.rate});
     if (!level.result.scene) return std::nullopt;
-    return Measurable{std::move(*level.result.scene), {}, std::nullopt};
+    Scene& scene = *level.result.scene;
+    std::vector<std::string> files = scene.files;
+    return Measurable{std::move(scene), {}, std::nullopt, std::move(files)};
 }
 
 int measure_scene(const MeasureOptions& options, const Measurable& measurable) {
@@ -123,6 +128,11 @@ int measure_scene(const MeasureOptions& options, const Measurable& measurable) {
         if (supports(kind, scene.world.model())) continue;
         print_error(fmt::format("solver {} does not know {}", name(kind),
                                 scene.world.model().hinged ? "seesaws" : "cloth"));
+        return 2;
+    }
+    const std::array<std::string, 2> paths{options.csv, options.json};
+    if (const auto why = clash_of_outputs(paths, measurable.files)) {
+        print_error(*why);
         return 2;
     }
     Outputs outputs(options);
@@ -152,11 +162,6 @@ int measure_scene(const MeasureOptions& options, const Measurable& measurable) {
 }  // namespace
 
 int measure(const MeasureOptions& options) {
-    if (!options.csv.empty() && options.csv == options.json) {
-        print_error("two outputs cannot both go to " +
-                    (options.csv == "-" ? "standard output" : "'" + options.csv + "'"));
-        return 2;
-    }
     const std::optional<Measurable> measurable = open(options);
     if (!measurable) return 2;
     const int code = measure_scene(options, *measurable);

@@ -9,6 +9,7 @@
 
 #include "carom/files/files.h"
 #include "carom/files/level_source.h"
+#include "carom/files/output_clash.h"
 #include "carom/files/print.h"
 #include "carom/play/player.h"
 #include "carom/pool/pool_status.h"
@@ -91,6 +92,10 @@ int picture(const PictureOptions& options) {
         return 2;
     }
     OpenedGame& game = std::get<OpenedGame>(opened);
+    if (const auto why = clash_of_outputs({&options.output, 1}, game.session.scene().files)) {
+        print_error(*why);
+        return 2;
+    }
     for (const std::string& warning : game.warnings)
         print_note(warning + "\n");
     const double rate = game.session.world().rate();

@@ -9,6 +9,7 @@
 #include "carom/cli/progress.h"
 #include "carom/cli/run_input.h"
 #include "carom/cli/run_outputs.h"
+#include "carom/files/output_clash.h"
 #include "carom/files/print.h"
 #include "carom/files/recording.h"
 #include "carom/options/option_values.h"
@@ -167,9 +168,21 @@ bool explain(const RunOptions& options, const Scene& scene) {
     return true;
 }
 
+// A recording holds the texts of its level, whose files it does not read.
+std::vector<std::string> files_read(const RunOptions& options, const RunInput& input) {
+    if (input.recording) return {options.level};
+    std::vector<std::string> files = input.scene.files;
+    files.push_back(options.commands);
+    return files;
+}
+
 int run_input(const RunOptions& options, const RunInput& input) {
     const SolverSettings settings = solver_for(input.scene);
     if (const std::optional<std::string> why = unavailable(settings.kind)) {
+        print_error(*why);
+        return 2;
+    }
+    if (const auto why = clash_of_outputs(paths_of_outputs(options), files_read(options, input))) {
         print_error(*why);
         return 2;
     }
@@ -201,10 +214,6 @@ int run_input(const RunOptions& options, const RunInput& input) {
 }  // namespace
 
 int run(const RunOptions& options) {
-    if (const std::optional<std::string> why = clash_of_outputs(options)) {
-        print_error(*why);
-        return 2;
-    }
     const std::optional<RunInput> input = open_run_input(options);
     if (!input) return 2;
     const int code = run_input(options, *input);

@@ -70,18 +70,9 @@ bool to_standard_output(const RunOptions& options) {
            options.trace == "-" || options.curves == "-" || options.record == "-";
 }
 
-std::optional<std::string> clash_of_outputs(const RunOptions& options) {
-    const std::array<const std::string*, 6> paths{&options.report, &options.events,
-                                                  &options.log,    &options.trace,
-                                                  &options.curves, &options.record};
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            if (paths[i]->empty() || *paths[i] != *paths[j]) continue;
-            return fmt::format("two outputs cannot both go to {}",
-                               *paths[i] == "-" ? "standard output" : "'" + *paths[i] + "'");
-        }
-    }
-    return std::nullopt;
+std::vector<std::string> paths_of_outputs(const RunOptions& options) {
+    return {options.report, options.events, options.log,
+            options.trace,  options.curves, options.record};
 }
 
 }  // namespace carom

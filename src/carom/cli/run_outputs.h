@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "carom/files/files.h"
 #include "carom/options/options.h"
@@ -52,7 +53,7 @@ class RunOutputs {
 /// Whether one of the outputs is standard output.
 bool to_standard_output(const RunOptions& options);
 
-/// Why two outputs would overwrite each other; none: all have different names.
-std::optional<std::string> clash_of_outputs(const RunOptions& options);
+/// The paths of the outputs; empty: not written.
+std::vector<std::string> paths_of_outputs(const RunOptions& options);
 
 }  // namespace carom

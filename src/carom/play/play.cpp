@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
 
 #include "carom/files/files.h"
 #include "carom/files/guest.h"
+#include "carom/files/level_files.h"
+#include "carom/files/output_clash.h"
 #include "carom/files/print.h"
 #include "carom/play/asciinema.h"
 #include "carom/play/play_loop.h"
@@ -51,7 +54,18 @@ std::string title_of(const PlayOptions& options) {
     return options.level.empty() ? "carom" : "carom play " + name(options.level);
 }
 
+std::optional<std::string> clash_in(const PlayOptions& options) {
+    const std::array<std::string, 2> outputs{options.record, options.cast};
+    const std::array<std::string, 2> inputs{find_level(options.level).path.value_or(""),
+                                            options.replay};
+    return clash_of_outputs(outputs, inputs);
+}
+
 int play_here(const PlayOptions& options) {
+    if (const auto why = clash_in(options)) {
+        print_error(*why);
+        return 2;
+    }
     PreferencesText preferences = preferences_of_user();
     ScreenOptions screen_options;
     screen_options.colors =
