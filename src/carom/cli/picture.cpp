@@ -87,8 +87,7 @@ int picture(const PictureOptions& options) {
     auto opened = open_game({options.level, options.solver, options.rate, options.seed,
                              options.overrides, Session::default_rewind_bytes});
     if (const auto* problems = std::get_if<Problems>(&opened)) {
-        for (const std::string& line : *problems)
-            print_note(line + "\n");
+        print_problems(*problems);
         return 2;
     }
     OpenedGame& game = std::get<OpenedGame>(opened);

@@ -30,6 +30,19 @@ void print_error(std::string_view sentence) {
     print_note(fmt::format("carom: error: {}\n", sentence));
 }
 
+void print_problems(std::span<const std::string> lines) {
+    if (lines.empty()) return;
+    const std::string& first = lines.front();
+    const bool names_place =
+        first.find(": error: ") != first.npos || first.find(": warning: ") != first.npos;
+    if (names_place)
+        print_note(first + '\n');
+    else
+        print_error(first);
+    for (const std::string& line : lines.subspan(1))
+        print_note(line + '\n');
+}
+
 void print_note(std::string_view note) {
     const std::string lines = printable_lines(note);
     std::string_view text = lines;

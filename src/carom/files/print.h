@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,10 @@ bool print_out(std::string_view text);
 
 /// Prints "carom: error: SENTENCE" to standard error.
 void print_error(std::string_view sentence);
+
+/// Prints the lines of a problem. A message that does not name its place, as those of levels do, is
+/// printed as by `print_error`.
+void print_problems(std::span<const std::string> lines);
 
 /// Prints to standard error, made safe for a terminal line by line (`printable`): names of files
 /// may hold anything.

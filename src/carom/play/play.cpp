@@ -78,10 +78,7 @@ int play_here(const PlayOptions& options) {
 
     Program program(options, std::move(preferences));
     if (const auto problems = program.start()) {
-        std::string text;
-        for (const std::string& line : *problems)
-            text += line + "\n";
-        print_note(text);
+        print_problems(*problems);
         return 2;
     }
     std::optional<AsciinemaRecording> asciinema;

@@ -95,8 +95,7 @@ std::optional<Problems> Program::start() {
     if (!options_.replay.empty()) return open_recording(options_.replay);
     if (!options_.record.empty()) {
         recording_.emplace(options_.record);
-        if (const auto obstacle = recording_->obstacle())
-            return Problems{fmt::format("carom: error: {}", *obstacle)};
+        if (const auto obstacle = recording_->obstacle()) return Problems{*obstacle};
     }
     const auto folder = resume_folder();
     if (options_.resume) {

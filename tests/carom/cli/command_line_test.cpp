@@ -55,8 +55,8 @@ TEST_CASE("wrong usage gets an error and a suggestion") {
         {{"play", level, "--colors", "7"}, "--colors must be one of auto, mono, 8, 16, 256"},
         {{"list", "galton"}, "'galton' is one argument too many"},
         {{"run", folder.path("none.level")}, "there is no level"},
-        {{"run", level, "--report", "x", "--trace", "./x"}, "two outputs cannot both go to './x'"},
-        {{"play", level, "--record", "x", "--cast", "./x"}, "two outputs cannot both go to './x'"},
+        {{"play", folder.path("none.level")}, "there is no level"},
+        {{"picture", folder.path("none.level")}, "there is no level"},
         {{"run", folder.path()}, "is a folder, not a level"},
     };
     for (const Row& row : rows) {
