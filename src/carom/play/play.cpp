@@ -130,7 +130,7 @@ int play(const PlayOptions& options) {
         return run_supervised([&] { return play_as_guest(options); },
                               "the game was kept: the menu lists it");
     return run_supervised([&] { return play_here(options); },
-                          "the game was kept: carom play --resume takes it up where it stood");
+                          "the game was kept: carom play --resume resumes it");
 }
 
 }  // namespace carom

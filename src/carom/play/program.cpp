@@ -236,9 +236,10 @@ bool Program::end_game() {
         lost_recording_ =
             recording.write(game->player.session(), game->source.path, game->source.overrides);
         if (lost_recording_) {
-            game->autosave();
             *lost_recording_ +=
-                "; carom play --resume --record FILE resumes the game and records all of it";
+                game->autosave()
+                    ? "; carom play --resume --record FILE resumes the game and records all of it"
+                    : "; the game could not be kept for carom play --resume either";
             return false;
         }
     }

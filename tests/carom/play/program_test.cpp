@@ -440,6 +440,28 @@ TEST_CASE("found 34: a level is saved under the name that is typed, in its autho
     CHECK_FALSE(fs::exists("test-1.level"));
 }
 
+TEST_CASE("a recording that cannot be written promises a game to resume only if there is one") {
+    const Home home;
+    for (const bool is_kept : {true, false}) {
+        CAPTURE(is_kept);
+        fs::remove_all(home.path / "state");
+        if (!is_kept) std::ofstream(home.path / "state") << "in the way of the folder";
+        fs::create_directory("gone");
+        PlayOptions options = playing("test.level");
+        options.record = "gone/out.replay";
+        Running running(options);
+        REQUIRE_FALSE(running.program.start());
+        running.pass(0.5);
+        fs::remove_all("gone");
+        running.key(U'q');
+        REQUIRE(running.program.lost_recording());
+        const std::string& lost = *running.program.lost_recording();
+        CHECK((lost.find("carom play --resume --record FILE resumes the game") != lost.npos) ==
+              is_kept);
+        CHECK((lost.find("the game could not be kept") != lost.npos) == !is_kept);
+    }
+}
+
 TEST_CASE("a recording is kept from play, and watched from the menu") {
     const Home home;
     {
