@@ -85,12 +85,9 @@ auto number(double least, double most) {
     };
 }
 
-// A whole number from `least` to `most`; otherwise `mistake` is the error.
-auto count(std::uint64_t least, std::uint64_t most, const char* mistake) {
+auto count(std::uint64_t least, std::uint64_t most) {
     return [=](std::string_view option, Text text) {
-        const std::uint64_t value = whole_number(option, text);
-        if (value < least || value > most) throw BadValue(mistake);
-        return static_cast<int>(value);
+        return static_cast<int>(whole_number_in(least, most, option, text));
     };
 }
 
@@ -136,11 +133,11 @@ void add_guest(CLI::App& app, GuestOptions& guest) {
     carom.add({"--guest", "NAME", "Play as a guest of this account, in a folder of its own"},
               guest.name, guest_name);
     carom.add({"--guest-saves", "N", "Levels that the guest may keep; 20 by default"},
-              guest.most_saves, count(1, 10000, "--guest-saves must be from 1 to 10000"));
+              guest.most_saves, count(1, 10000));
     carom.add({"--guest-idle", "TIME", "End after so long without input, as in 600s; 1800s"},
               guest.idle, idle_time);
     carom.add({"--guest-sessions", "N", "Sessions of the guest at a time; 2 by default"},
-              guest.most_sessions, count(1, 100, "--guest-sessions must be from 1 to 100"));
+              guest.most_sessions, count(1, 100));
 }
 
 void add_play(CLI::App& app, PlayOptions& options) {
@@ -155,7 +152,7 @@ void add_play(CLI::App& app, PlayOptions& options) {
     play.add({"--watch", "", "Load the level again whenever its file is saved"}, options.watch);
     play.add(
         {"--opponent", "N", "At pool, carom plays the second player, 1 (beginner) to 4 (master)"},
-        options.opponent, count(1, 4, "--opponent is 1, 2, 3 or 4"));
+        options.opponent, count(1, 4));
     play.add({"--demo", "", "At pinball, carom plays until you press a button of the table"},
              options.demo);
     play.add({"--resume", "", "Resume the unfinished game"}, options.resume);
@@ -209,7 +206,7 @@ void add_measure(CLI::App& app, MeasureOptions& options) {
                  "said"},
                 options.rates, rates);
     measure.add({"--repeats", "N", "Runs of each, for its cost; 3 where nothing is said"},
-                options.repeats, count(1, 1000, "--repeats must be from 1 to 1000"));
+                options.repeats, count(1, 1000));
     measure.add({"--horizon", "S", "When errors are compared, in simulated seconds"},
                 options.horizon, number(1e-6, 1e6));
     measure.add({"--tolerance", "R",

@@ -65,7 +65,10 @@ SolverKind available_solver(const std::string& text) {
     if (!kind) {
         std::vector<std::string_view> names = available_names();
         names.emplace_back("auto");
-        throw BadValue(fmt::format("there is no solver '{}'{}", text, suggestion(text, names)));
+        const std::string meant = suggestion(text, names);
+        throw BadValue(fmt::format(
+            "there is no solver '{}'{}", text,
+            meant.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : meant));
     }
     if (const std::optional<std::string> why = unavailable(*kind)) throw BadValue(*why);
     return *kind;
@@ -80,10 +83,16 @@ double number_in(NumberRange range, std::string_view option, const std::string& 
                                range.least, range.most, text));
 }
 
+std::uint64_t whole_number_in(std::uint64_t least, std::uint64_t most, std::string_view option,
+                              const std::string& text) {
+    const auto value = parsed<std::uint64_t>(text);
+    if (value && *value >= least && *value <= most) return *value;
+    throw BadValue(fmt::format("{} must be a whole number from {} to {}, but is '{}'", option,
+                               least, most, text));
+}
+
 std::uint64_t whole_number(std::string_view option, const std::string& text) {
-    if (const auto value = parsed<std::uint64_t>(text)) return *value;
-    throw BadValue(fmt::format("{} must be a whole number from 0 to {}, but is '{}'", option,
-                               std::numeric_limits<std::uint64_t>::max(), text));
+    return whole_number_in(0, std::numeric_limits<std::uint64_t>::max(), option, text);
 }
 
 std::vector<double> numbers_in(NumberRange range, std::string_view option,

@@ -32,6 +32,8 @@ inline constexpr NumberRange rate_range{.least = 1e-3, .most = 1e9};
 
 double number_in(NumberRange range, std::string_view option, const std::string& text);
 /// 0 to 2^64 - 1.
+std::uint64_t whole_number_in(std::uint64_t least, std::uint64_t most, std::string_view option,
+                              const std::string& text);
 std::uint64_t whole_number(std::string_view option, const std::string& text);
 /// Numbers in `range`, separated by commas: "60,120,240".
 std::vector<double> numbers_in(NumberRange range, std::string_view option, const std::string& text);

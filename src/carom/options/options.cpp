@@ -144,8 +144,10 @@ Request parse_options(int count, const char* const* arguments) {
         return UsageAnswer{.text = wrapped_help(app.help())};
     } catch (const CLI::ArgumentMismatch& error) {
         const std::string_view what = error.what();
-        return mistake(chosen(app),
-                       fmt::format("{} needs a value", what.substr(0, what.find(':'))));
+        return mistake(
+            chosen(app),
+            fmt::format("{} {}", what.substr(0, what.find(':')),
+                        what.ends_with("missing") ? "needs a value" : "may be given only once"));
     } catch (const BadValue& error) {
         return mistake(chosen(app), error.what());
     } catch (const CLI::ParseError& error) {
