@@ -94,8 +94,19 @@ FoundLevel find_level(const std::string& argument) {
         return {.path = std::nullopt,
                 .error = fmt::format("'{}' is a folder, not a level", argument)};
     }
+    std::error_code error;
+    if (fs::is_symlink(argument, error)) {
+        return {.path = std::nullopt,
+                .error = fmt::format("'{}' is a link that leads to no file", argument)};
+    }
     const std::optional<std::string> folder = shipped_levels_folder();
-    const std::vector<LevelEntry> shipped = folder ? levels_in(*folder) : std::vector<LevelEntry>();
+    if (!folder) {
+        return {.path = std::nullopt,
+                .error = fmt::format("there is no level '{}': no such file, and there is no folder "
+                                     "of levels that ship: set CAROM_LEVELS to it",
+                                     argument)};
+    }
+    const std::vector<LevelEntry> shipped = levels_in(*folder);
     std::vector<std::string_view> names;
     for (const LevelEntry& level : shipped) {
         if (argument == level.name || argument == level.name + std::string(extension)) {

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,19 @@ TEST_CASE("wrong usage gets an error and a suggestion") {
         CHECK(finished.err.starts_with("carom: error: "));
         CHECK(has(finished.err, row.message));
     }
+}
+
+TEST_CASE("a level that cannot be found: a link to nothing, and no folder of levels") {
+    const TemporaryFolder folder;
+    for (const char* target : {"nothing.level", "circle.level"}) {
+        const std::string link = folder.path("circle.level");
+        std::filesystem::remove(link);
+        std::filesystem::create_symlink(target, link);
+        CHECK(has(run_carom({"run", link}).err, "circle.level' is a link that leads to no file"));
+    }
+    const Finished lost = run_carom({"run", "gas"}, folder.path("no-levels"));
+    CHECK(lost.exit_code == 2);
+    CHECK(has(lost.err, "there is no folder of levels that ship: set CAROM_LEVELS to it"));
 }
 
 TEST_CASE("help and version go to standard output") {
