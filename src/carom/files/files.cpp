@@ -51,11 +51,18 @@ mode_t current_umask() {
 }
 
 constexpr std::string_view temporary_ending = ".XXXXXX.tmp";
+constexpr std::size_t longest_name = 255;    // bytes, of the usual file systems
 constexpr std::time_t abandoned_after = 60;  // s
 
+// A temporary file is called after its target, of which the end is left out if it has no room.
+std::string_view stem_of_temporaries(std::string_view target) {
+    return target.substr(0, longest_name - temporary_ending.size());
+}
+
 bool is_temporary_of(std::string_view name, std::string_view target) {
-    return name.size() == target.size() + temporary_ending.size() && name.starts_with(target) &&
-           name[target.size()] == '.' && name.ends_with(".tmp");
+    const std::string_view stem = stem_of_temporaries(target);
+    return name.size() == stem.size() + temporary_ending.size() && name.starts_with(stem) &&
+           name[stem.size()] == '.' && name.ends_with(".tmp");
 }
 
 // Whether no process writes it any more.
@@ -143,6 +150,7 @@ void OutputFile::open() {
     }
     struct stat status {};
     const bool exists = ::stat(path_.c_str(), &status) == 0;
+    if (!exists && errno == ENAMETOOLONG) return fail();
     if (exists && S_ISDIR(status.st_mode)) {
         errno = EISDIR;
         return fail();
@@ -157,7 +165,10 @@ void OutputFile::open() {
     mode_ = exists ? status.st_mode & 0777 : 0666 & ~current_umask();
     if (access_ == Access::owner) mode_ &= 0700;
     remove_left_behind(path_);
-    temporary_ = path_ + std::string(temporary_ending);
+    const std::size_t name = path_.rfind('/') + 1;
+    temporary_ = path_.substr(0, name);
+    temporary_ += stem_of_temporaries(std::string_view(path_).substr(name));
+    temporary_ += temporary_ending;
     descriptor_ = ::mkostemps(temporary_.data(), 4, O_CLOEXEC);
     if (descriptor_ < 0) {
         temporary_.clear();

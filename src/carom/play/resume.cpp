@@ -30,8 +30,11 @@ std::uint64_t hash_of(std::string_view text) {
     return hash;
 }
 
+// With room for what `begin` and `put_aside` append, and for locks and temporary files.
 std::string stem_of(std::string_view level) {
-    return fmt::format("{}-{:016x}", fs::path(level).stem().string(), hash_of(level));
+    constexpr std::size_t longest = 200;  // bytes
+    return fmt::format("{}-{:016x}", fs::path(level).stem().string().substr(0, longest),
+                       hash_of(level));
 }
 
 std::string lock_of(const std::string& path) {

@@ -112,6 +112,20 @@ TEST_CASE("a temporary file that a killed process left is removed, one in use is
                                                      "out.cccccc.tmp"});
 }
 
+TEST_CASE("a file whose name is as long as a name may be is written, a longer one fails at once") {
+    const TemporaryFolder folder;
+    for (const std::size_t length : {243, 244, 245, 250, 255}) {
+        CAPTURE(length);
+        const std::string name(length, 'x');
+        CHECK_FALSE(write_file_atomically(folder.path(name), "new"));
+        CHECK(content(folder.path(name)) == "new");
+    }
+    CHECK(folder.names().size() == 5);
+    const OutputFile longer(folder.path(std::string(256, 'x')));
+    CHECK(longer.error().ends_with("File name too long"));
+    CHECK(folder.names().size() == 5);
+}
+
 TEST_CASE("only its owner may read a player's file, whatever the umask, and a temporary file") {
     const TemporaryFolder folder;
     const mode_t before = ::umask(0);

@@ -59,6 +59,23 @@ TEST_CASE("an interrupted game is found by its level") {
     CHECK(interrupted_games(folder.text()).size() == 1);
 }
 
+TEST_CASE("a game of a level with the longest name is kept, and is not that of another") {
+    const Folder folder;
+    const std::string name(246, 'x');
+    in_a_process_that_dies([&] {
+        const std::string level = "/levels/" + name + "y.level";
+        ResumeFile left(folder.text(), level);
+        left.save(replay_of(level, 7));
+        left.put_aside();
+        ResumeFile cut_off(folder.text(), level);
+        cut_off.save(replay_of(level, 9));
+        ResumeFile b(folder.text(), "/levels/" + name + "z.level");
+        b.save(replay_of("/levels/" + name + "z.level"));
+    });
+    CHECK(interrupted_games(folder.text(), "/levels/" + name + "y.level").size() == 2);
+    CHECK(interrupted_games(folder.text(), "/levels/" + name + "z.level").size() == 1);
+}
+
 TEST_CASE("a running game, or one that ended normally, is not an interrupted game") {
     const Folder folder;
     ResumeFile running(folder.text(), "a.level");
