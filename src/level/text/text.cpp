@@ -38,6 +38,11 @@ std::optional<TextFault> find_fault(std::string_view text) {
                 return TextFault{"nul-byte", line_number, column, "a NUL byte stands here",
                                  "a level is plain text: save it as UTF-8"};
             }
+            if (line[i] == '\r') {
+                return TextFault{"bare-return", line_number, column,
+                                 "a carriage return stands here, and no line ends",
+                                 "save the file with line ends of Unix or Windows"};
+            }
             const std::size_t length = character_length(line, i);
             if (length == 0) {
                 return TextFault{
