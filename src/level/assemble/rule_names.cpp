@@ -12,6 +12,16 @@ namespace carom {
 
 std::optional<std::uint32_t> RuleAssembly::lights_named(const Word& name, Role role) {
     if (!is_pinball()) {
+        if (find_balls(name.text))
+            return refuse(
+                "unknown-variable", name,
+                fmt::format("'{}' names balls, which are no condition", name.text),
+                fmt::format("to ask whether one is on the table: if count({})>0", name.text));
+        if (find_place(name.text))
+            return refuse("unknown-variable", name,
+                          fmt::format("'{}' names a place, which is no condition", name.text),
+                          fmt::format("to ask whether a ball lies in a zone: if count(ball,{})>0",
+                                      name.text));
         refuse("unknown-variable", name,
                fmt::format("there is no variable or timer '{}'", name.text),
                fmt::format("add a line above: var {}", name.text));

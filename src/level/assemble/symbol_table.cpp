@@ -36,11 +36,11 @@ void SymbolTable::name_balls(std::span<const int> bindings) {
         if (is_new) ball_statements_.push_back({base, binding.node, binding.is_numbered, 0});
         BallStatement& statement = ball_statements_[found->second];
         if (statement.node != binding.node) {
-            context_.reporter.error(
-                "name-taken", binding.name ? binding.name->span() : binding.node->keyword().span(),
-                fmt::format("the name '{}' is taken, in line {}", base,
-                            statement.node->keyword().line),
-                "give each ball a name of its own");
+            const Span at = (binding.name ? *binding.name : binding.node->keyword()).span();
+            const Word& holder = statement.node->keyword();
+            context_.reporter.error("name-taken", at,
+                                    taken_message(at, base, holder.text, holder.span()),
+                                    "give each ball a name of its own");
             continue;
         }
         ball_names_[i] = {found->second, ++statement.count};
@@ -53,10 +53,11 @@ void SymbolTable::name_balls(std::span<const int> bindings) {
     for (const ResolvedEdges& edges : names_.edges) {
         const auto taken = ball_statement_index_.find(edges.name);
         if (edges.name.empty() || taken == ball_statement_index_.end()) continue;
-        context_.reporter.error("name-taken", edges.name_at,
-                                fmt::format("the name '{}' is taken, in line {}", edges.name,
-                                            ball_statements_[taken->second].node->keyword().line),
-                                "a ball has that name: choose another");
+        const Word& holder = ball_statements_[taken->second].node->keyword();
+        context_.reporter.error(
+            "name-taken", edges.name_at,
+            taken_message(edges.name_at, edges.name, holder.text, holder.span()),
+            "balls have that name: choose another");
     }
 }
 

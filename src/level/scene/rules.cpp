@@ -1,6 +1,7 @@
 #include "level/scene/rules.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -15,7 +16,27 @@ bool has_own_subject(RuleEvent event) {
     return event == hit || event == all || event == enter || event == timer_ends;
 }
 
+constexpr RuleQuantityRow quantity_rows[]{
+    {"score", "of the player whose turn it is"},
+    {"player", "whose turn it is: 1, 2 ..."},
+    {"players", "how many play"},
+    {"ball", "the number of the ball in play", RuleGames::pinball},
+    {"bonus", "the bonus so far", RuleGames::pinball},
+    {"multiplier", "of the bonus", RuleGames::pinball},
+    {"innings", "the turns that the player has had, with this one", RuleGames::shots},
+    {"shots", "those that the player has taken", RuleGames::shots},
+    {"fouls", "those that the player has made", RuleGames::shots},
+    {"best", "the highest score of all players"},
+    {"multiball", "1 while two balls or more are in play, else 0", RuleGames::pinball},
+    {"rest", "1 while no ball moves, else 0", RuleGames::shots},
+};
+static_assert(std::size(quantity_rows) == static_cast<std::size_t>(RuleQuantity::count));
+
 }  // namespace
+
+std::span<const RuleQuantityRow> rule_quantities() {
+    return quantity_rows;
+}
 
 void index_rules(RuleBook& book) {
     const auto key = [&](std::uint32_t number) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -28,15 +29,6 @@
 ///     on shot ends if balls=2 and cushions<3   turn, message "{cushions} cushions before it"
 ///     on shot ends if balls<2                  turn, message "no second ball"
 ///     on shot judged if score=15               win
-///
-/// A hole of mini-golf, two players, the fewest strokes win:
-///
-///     game shots players=2 wins=least
-///     var sunk of shot
-///     on shot begins                score 1
-///     on cue pocketed               sunk 1
-///     on shot ends if sunk          turn, respot cue
-///     on shot judged if sunk and player=2      end
 ///
 /// A ladder of modes at pinball:
 ///
@@ -74,24 +66,31 @@ struct RuleTimer {
 
 /// A number that the game knows.
 enum class RuleQuantity : std::uint8_t {
-    score,       ///< of the player whose turn it is
-    player,      ///< whose turn it is: 1 ...
-    players,     ///< how many play
-    ball,        ///< pinball: the number of the ball in play
-    bonus,       ///< pinball
-    multiplier,  ///< pinball
-    innings,     ///< shots: the turns that the player has had
-    shots,       ///< shots: that the player has taken
-    fouls,       ///< shots: that the player has made
-    best,        ///< the highest score of all players
-    multiball,   ///< pinball: 1 while two balls or more are in play, else 0
-    rest,        ///< 1 while no ball moves, else 0; not in pinball
+    score,
+    player,
+    players,
+    ball,
+    bonus,
+    multiplier,
+    innings,
+    shots,
+    fouls,
+    best,
+    multiball,
+    rest,
     count
 };
 
-inline constexpr std::string_view quantity_names[] = {"score", "player",     "players",   "ball",
-                                                      "bonus", "multiplier", "innings",   "shots",
-                                                      "fouls", "best",       "multiball", "rest"};
+/// The games that know an action, an event or a number.
+enum class RuleGames : std::uint8_t { both, pinball, shots };
+
+struct RuleQuantityRow {
+    std::string_view name;
+    std::string_view meaning;
+    RuleGames games = RuleGames::both;
+};
+/// What each RuleQuantity is called in rules, and what it is, in their order.
+std::span<const RuleQuantityRow> rule_quantities();
 
 /// A step of a value in postfix order, on a stack of whole numbers. Sums and products saturate at
 /// most_rule_number, either way.

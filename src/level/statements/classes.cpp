@@ -21,18 +21,18 @@ bool is_free(const Word& name, Context& context) {
                        "use fewer");
         return false;
     }
-    const auto taken = [&](const Word& by) {
+    const auto taken = [&](const Word& by, std::string_view holder) {
         if (by.text != name.text) return false;
         reporter.error("name-taken", name.span(),
-                       fmt::format("the name '{}' is taken, in line {}", name.text, by.line),
+                       taken_message(name.span(), name.text, holder, by.span()),
                        "give each kind and each material a name of its own");
         return true;
     };
     for (const KindIr& kind : context.ir.kinds) {
-        if (taken(kind.name)) return false;
+        if (taken(kind.name, "kind")) return false;
     }
     for (const MaterialIr& material : context.ir.materials) {
-        if (taken(material.name)) return false;
+        if (taken(material.name, "material")) return false;
     }
     return true;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "level/ir/numbers.h"
+#include "level/statements/action_shapes.h"
 #include "level/statements/rule_habits.h"
 #include "level/text/spelling.h"
 
@@ -13,97 +14,6 @@ namespace carom {
 namespace {
 
 using What = RuleAction::What;
-
-// What follows the name of an action. Those that end in _maybe may lack their last word.
-enum class Takes {
-    nothing,
-    points,
-    sum,    // +N adds, N sets
-    count,  // 1 or more
-    time,
-    lights,
-    lights_and_maybe_time,
-    opening,
-    opening_and_maybe_time,
-    holder,
-    timer,
-    timer_and_maybe_time,
-    balls_and_maybe_place,
-    balls_and_maybe_side,
-    maybe_place,
-    text
-};
-
-struct ActionShape {
-    std::string_view name;
-    What what;
-    Takes takes;
-    RuleGames games;
-    std::string_view sample;
-    double most = 1e12;  // of a number that has no variable
-};
-
-using enum RuleGames;
-constexpr ActionShape shapes[] = {
-    {"score", What::score, Takes::points, both, "score 100"},
-    {"bonus", What::bonus, Takes::sum, pinball, "bonus +1"},
-    {"multiplier", What::multiplier, Takes::sum, pinball, "multiplier +1", 100.0},
-    {"multiball", What::multiball, Takes::count, pinball, "multiball 2", 8.0},
-    {"save", What::save, Takes::time, pinball, "save 10s"},
-    {"extraball", What::extraball, Takes::nothing, pinball, "extraball"},
-    {"reset", What::reset, Takes::lights, pinball, "reset NAME"},
-    {"light", What::light, Takes::lights_and_maybe_time, pinball, "light NAME"},
-    {"unlight", What::unlight, Takes::lights, pinball, "unlight NAME"},
-    {"advance", What::advance, Takes::lights, pinball, "advance NAME"},
-    {"open", What::open, Takes::opening_and_maybe_time, pinball, "open NAME 2s"},
-    {"shut", What::shut, Takes::opening, pinball, "shut NAME"},
-    {"release", What::release, Takes::holder, pinball, "release NAME"},
-    {"message", What::message, Takes::text, both, "message \"TEXT\""},
-    {"start", What::start, Takes::timer_and_maybe_time, both, "start TIMER 20s"},
-    {"stop", What::stop, Takes::timer, both, "stop TIMER"},
-    {"foul", What::foul, Takes::text, shots, "foul \"TEXT\""},
-    {"turn", What::turn, Takes::nothing, shots, "turn"},
-    {"respot", What::respot, Takes::balls_and_maybe_place, shots, "respot BALLS ZONE"},
-    {"remove", What::remove, Takes::balls_and_maybe_side, shots, "remove BALLS outside ZONE"},
-    {"inhand", What::inhand, Takes::maybe_place, shots, "inhand ZONE"},
-    {"look", What::look, Takes::maybe_place, shots, "look ZONE"},
-    {"win", What::win, Takes::nothing, shots, "win"},
-    {"lose", What::lose, Takes::nothing, shots, "lose"},
-    {"end", What::end, Takes::nothing, shots, "end"},
-};
-
-constexpr ActionShape of_variable{"a variable", What::set, Takes::sum, both, "VARIABLE +1"};
-
-const ActionShape& shape_of(What what) {
-    if (what == What::start_motion) what = What::start;
-    if (what == What::stop_motion) what = What::stop;
-    const auto found = std::ranges::find(shapes, what, &ActionShape::what);
-    return found == std::end(shapes) ? of_variable : *found;
-}
-
-struct Counts {
-    std::size_t least = 1;
-    std::size_t most = 1;
-};
-
-// How many words an action has, with its name.
-Counts words_of(Takes takes) {
-    switch (takes) {
-        case Takes::nothing:
-            return {1, 1};
-        case Takes::maybe_place:
-            return {1, 2};
-        case Takes::lights_and_maybe_time:
-        case Takes::opening_and_maybe_time:
-        case Takes::timer_and_maybe_time:
-        case Takes::balls_and_maybe_place:
-            return {2, 3};
-        case Takes::balls_and_maybe_side:
-            return {2, 4};
-        default:
-            return {2, 2};
-    }
-}
 
 class ActionReader {
   public:
@@ -200,7 +110,9 @@ class ActionReader {
         if (std::ranges::count(context_.ir.error_names, word.text) > 0) return false;
         context_.reporter.error("unknown-timer", word.span(),
                                 fmt::format("there is no timer or motion '{}'", word.text),
-                                fmt::format("add a line above: timer {} 20s", word.text));
+                                is_identifier(word.text)
+                                    ? fmt::format("add a line above: timer {} 20s", word.text)
+                                    : fmt::format("write it as: {}", shape_.sample));
         return false;
     }
 
@@ -246,40 +158,41 @@ class ActionReader {
 std::vector<std::string_view> names_offered(const Context& context) {
     const LevelSettings& settings = context.ir.settings;
     std::vector<std::string_view> names;
-    for (const ActionShape& shape : shapes)
-        if ((shape.games != pinball || !settings.is_shots) &&
-            (shape.games != shots || !settings.table.is_game))
+    for (const ActionShape& shape : action_shapes())
+        if ((shape.games != RuleGames::pinball || !settings.is_shots) &&
+            (shape.games != RuleGames::shots || !settings.table.is_game))
             names.push_back(shape.name);
     return names;
 }
 
 const ActionShape* shape_named(const Word& word, const Context& context) {
     const auto symbol = context.ir.rule_symbols.find(word.text);
-    if (symbol != context.ir.rule_symbols.end() && !symbol->second.is_timer) return &of_variable;
-    return row_named(shapes, word.text);
+    if (symbol != context.ir.rule_symbols.end() && !symbol->second.is_timer)
+        return &variable_shape();
+    return row_named(action_shapes(), word.text);
 }
 
 }  // namespace
 
 RuleGames games_of(RuleAction::What what) {
-    return shape_of(what).games;
+    return action_shape_of(what).games;
 }
 
 std::string_view name_of(RuleAction::What what) {
-    return shape_of(what).name;
+    return action_shape_of(what).name;
 }
 
 bool begins_action(std::string_view word, const Context& context) {
     const auto symbol = context.ir.rule_symbols.find(word);
     if (symbol != context.ir.rule_symbols.end()) return !symbol->second.is_timer;
-    return row_named(shapes, word) != nullptr;
+    return row_named(action_shapes(), word) != nullptr;
 }
 
 bool read_rule_action(std::span<const Word> words, const Scope& scope, Context& context,
                       RuleWords& reader, RuleIr& rule) {
     const ActionShape* shape = shape_named(words[0], context);
     if (!shape) {
-        if (auto advice = advice_on_action(words[0].text, context)) {
+        if (auto advice = advice_on_action(words, context)) {
             context.reporter.error("action-malformed", words[0].span(), std::move(advice->message),
                                    std::move(advice->remedy));
             return false;
@@ -296,20 +209,19 @@ bool read_rule_action(std::span<const Word> words, const Scope& scope, Context& 
                                did_you_mean(words[0].text, known, otherwise));
         return false;
     }
-    const Counts counts = words_of(shape->takes);
+    const WordCounts counts = words_of(shape->takes);
     if (words.size() < counts.least || words.size() > counts.most) {
         const bool is_long = words.size() > counts.most;
-        RuleAdvice advice = is_long
-                                ? advice_on_extra_word(words, counts.most, shape->sample, context)
-                                : RuleAdvice{fmt::format("{} is not complete", words[0].text),
-                                             fmt::format("write it as: {}", shape->sample)};
+        RuleAdvice advice = is_long ? advice_on_extra_word(words, *shape, context)
+                                    : RuleAdvice{fmt::format("{} is not complete", words[0].text),
+                                                 fmt::format("write it as: {}", shape->sample)};
         context.reporter.error("action-malformed", words[is_long ? counts.most : 0].span(),
                                std::move(advice.message), std::move(advice.remedy));
         return false;
     }
     RuleAction action;
     action.what = shape->what;
-    if (shape == &of_variable)
+    if (shape == &variable_shape())
         action.index = context.ir.rule_symbols.find(words[0].text)->second.index;
     if (!ActionReader(*shape, scope, context, reader).read(words, action)) return false;
     rule.rule.actions.push_back(std::move(action));

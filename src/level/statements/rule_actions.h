@@ -4,6 +4,7 @@
 #include <span>
 
 #include "level/ir/context.h"
+#include "level/statements/action_shapes.h"
 #include "level/statements/rule_words.h"
 
 /// The actions of rules, one row each.
@@ -18,7 +19,6 @@ bool read_rule_action(std::span<const Word> words, const Scope& scope, Context& 
 bool begins_action(std::string_view word, const Context& context);
 
 /// The games that know an action.
-enum class RuleGames : std::uint8_t { both, pinball, shots };
 RuleGames games_of(RuleAction::What what);
 std::string_view name_of(RuleAction::What what);
 

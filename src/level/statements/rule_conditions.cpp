@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "level/statements/rule_events.h"
 #include "level/statements/rule_habits.h"
 #include "level/statements/rule_words.h"
 
@@ -30,6 +31,10 @@ const Sign* sign_at(std::string_view text) {
 }
 
 constexpr std::string_view sign_characters = "<>=!";
+
+bool starts_number(std::string_view word) {
+    return word.front() >= '0' && word.front() <= '9';
+}
 
 }  // namespace
 
@@ -94,6 +99,9 @@ std::optional<RuleCondition> RuleWords::condition(const std::vector<Word>& words
         made.index = static_cast<std::uint32_t>(motion - motions.begin());
         return made;
     }
+    if (is_level_number(word.text))
+        return refuse(word, {fmt::format("'{}' is a number, which is no condition", word.text),
+                             "compare it, as in: if score>=10; what always holds has no if"});
     made.what = RuleCondition::What::lit;
     made.index = name(word, RuleNameIr::Role::lights);
     return made;
@@ -102,11 +110,7 @@ std::optional<RuleCondition> RuleWords::condition(const std::vector<Word>& words
 std::optional<std::vector<RuleClause>> RuleWords::clauses(const std::vector<Word>& words,
                                                           std::size_t& next) {
     std::vector<RuleClause> made;
-    const auto is_lead = [&](std::size_t i) {
-        return i < words.size() &&
-               (words[i].text == "if" || words[i].text == "while" || words[i].text == "unless");
-    };
-    while (is_lead(next)) {
+    while (next < words.size() && begins_clause(words[next].text)) {
         RuleClause clause;
         clause.is_not = words[next].text == "unless";
         do {
@@ -121,6 +125,11 @@ std::optional<std::vector<RuleClause>> RuleWords::clauses(const std::vector<Word
         } while (next < words.size() && words[next].text == "and");
         made.push_back(std::move(clause));
     }
+    if (!made.empty() && next < words.size() && starts_number(words[next].text) &&
+        is_identifier(words[next - 1].text) && mentions_rules(words[next - 1].text))
+        return refuse(words[next],
+                      {fmt::format("a sign is missing before '{}'", words[next].text),
+                       fmt::format("write it as: {}={}", words[next - 1].text, words[next].text)});
     if (!made.empty() && next < words.size())
         if (auto advice = advice_on_condition(words[next].text))
             return refuse(words[next], std::move(*advice));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "level/statements/rule_actions.h"
+#include "level/statements/rule_events.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -15,10 +16,6 @@ namespace {
 
 bool contains(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
-}
-
-bool is_lead(std::string_view word) {
-    return word == "if" || word == "while" || word == "unless";
 }
 
 // `made+=1`, `made=1` and `made=made+1`: the form that a rule has. `sign` begins with + - or =.
@@ -41,6 +38,67 @@ bool is_among(std::string_view word, std::initializer_list<std::string_view> wor
 bool groups_conditions(std::string_view word) {
     const std::string_view value = word.substr(0, word.find_first_of("<>=!"));
     return word.starts_with('(') && std::ranges::count(value, '(') > std::ranges::count(value, ')');
+}
+
+// `add score 1`, `set made 2`: a verb before what it changes. The name alone does that.
+std::optional<RuleAdvice> advice_on_verb(std::span<const Word> words, const Context& context) {
+    const std::string_view verb = words[0].text;
+    const bool takes = is_among(verb, {"subtract", "decrease", "deduct", "decrement"});
+    const bool adds = is_among(verb, {"add", "increase", "give", "increment", "award", "inc"});
+    if (!takes && !adds && !is_among(verb, {"set", "let", "change", "make"})) return std::nullopt;
+    std::vector<std::string_view> rest;
+    for (const Word& word : words.subspan(1))
+        if (!is_among(word.text, {"to", "by", "from", "=", "+", "-"})) rest.push_back(word.text);
+    // `add 1 to score`: the name stands last.
+    if (rest.size() == 2 && !begins_action(rest[0], context)) std::swap(rest[0], rest[1]);
+    std::string remedy = "name what it changes: score 1, made +1, made 1";
+    if (!rest.empty() && begins_action(rest[0], context)) {
+        std::string_view value = rest.size() > 1 ? rest[1] : "1";
+        if (value.front() == '+') value.remove_prefix(1);
+        const bool is_score = rest[0] == "score";
+        remedy = fmt::format("write it as: {} {}{}", rest[0],
+                             takes               ? "-"
+                             : adds && !is_score ? "+"
+                                                 : "",
+                             value);
+        if (is_score && !takes && !adds) remedy += ", which adds; a variable can be set";
+    }
+    return RuleAdvice{fmt::format("rules do without '{}'", verb), std::move(remedy)};
+}
+
+// The keyword of a line above that gives this name to balls, a kind, edges, zones or pockets. Of
+// many lines, only the first are asked.
+std::optional<std::string_view> holder_of(std::string_view name, const Context& context) {
+    const auto first = [](const auto& all) {
+        return std::span(all).first(std::min(all.size(), max_candidates));
+    };
+    for (const BallBinding& ball : first(context.ir.ball_bindings))
+        if (ball.name && ball.name->text == name) return ball.node->keyword().text;
+    for (const KindIr& kind : first(context.ir.kinds))
+        if (kind.name.text == name) return "kind";
+    for (const EdgeBinding& edge : first(context.ir.edge_bindings)) {
+        const bool is_plain = !edge.plain.empty() && edge.plain.back().text == name;
+        if (is_plain || (edge.name && edge.name->text == name)) return edge.node->keyword().text;
+    }
+    return std::nullopt;
+}
+
+// Words behind an action that say whom it is for: it is always the player whose turn it is.
+std::optional<RuleAdvice> advice_on_player(const ActionShape& shape, const Word& first,
+                                           const Word& extra) {
+    const bool is_player = first.text.starts_with("player") || extra.text.starts_with("player") ||
+                           first.text == "opponent" || extra.text == "opponent" ||
+                           extra.text == "for" || extra.text == "of";
+    if (!is_player) return std::nullopt;
+    using enum RuleAction::What;
+    const bool is_end = shape.what == win || shape.what == lose;
+    return RuleAdvice{
+        fmt::format("'{}' is for the player whose turn it is", shape.name),
+        is_end ? fmt::format("write it alone: {}; for the other player, {}", shape.name,
+                             shape.what == win ? "lose" : "win")
+        : shape.what == turn
+            ? std::string("write it alone: turn; the next player shoots")
+            : fmt::format("write it as: {}; to ask who plays: if player=2", shape.sample)};
 }
 
 bool is_comparison(std::string_view word) {
@@ -66,6 +124,9 @@ std::optional<RuleAdvice> advice_on_condition(std::string_view word) {
     if (contains(word, "=>")) return RuleAdvice{"there is no '=>'", "at least is >=: made>=1"};
     if (contains(word, "=<")) return RuleAdvice{"there is no '=<'", "at most is <=: made<=1"};
     if (contains(word, "<>")) return RuleAdvice{"there is no '<>'", "unequal is !=: made!=1"};
+    if (word == "of" || word == "for")
+        return RuleAdvice{fmt::format("there is no '{}' in conditions", word),
+                          "score, fouls and variables of player are of whose turn it is: player=1"};
     if (word == "is") return RuleAdvice{"there is no 'is'", "compare with a sign: player=1"};
     if (word == "count" || word == "lit")
         return RuleAdvice{fmt::format("{} needs brackets", word),
@@ -96,10 +157,19 @@ RuleAdvice advice_on_value(std::string_view text) {
             "write a number, a variable, or + - * of them without spaces: 100*mode"};
 }
 
-std::optional<RuleAdvice> advice_on_action(std::string_view word, const Context& context) {
+std::optional<RuleAdvice> advice_on_action(std::span<const Word> words, const Context& context) {
+    const std::string_view word = words[0].text;
+    if (const auto advice = advice_on_verb(words, context)) return advice;
+    if (const auto holder = holder_of(word, context)) {
+        const bool are_two = words.size() > 1 && holder_of(words[1].text, context);
+        return RuleAdvice{
+            fmt::format("'{}' is the name of a {}, which is no action", word, *holder),
+            are_two ? "an event names one thing: write the line twice, once for each"
+                    : "write an action: NAME +1, respot NAME, remove NAME"};
+    }
     if (const auto advice = advice_on_condition(word)) return advice;
     if (word == "and") return RuleAdvice{"'and' joins conditions", "separate actions with a comma"};
-    if (is_lead(word))
+    if (begins_clause(word))
         return RuleAdvice{"the conditions of a rule stand together",
                           "write them before the first action"};
     if (is_among(word, {"in", "into", "at", "on", "by", "with", "from", "the", "a", "to"}))
@@ -153,15 +223,17 @@ bool looks_like_variable(std::span<const Word> action) {
     return std::string_view("+-0123456789").find(action[1].text.front()) != std::string_view::npos;
 }
 
-RuleAdvice advice_on_extra_word(std::span<const Word> words, std::size_t extra,
-                                std::string_view sample, const Context& context) {
+RuleAdvice advice_on_extra_word(std::span<const Word> words, const ActionShape& shape,
+                                const Context& context) {
+    const std::size_t extra = words_of(shape.takes).most;
     const std::string_view word = words[extra].text;
-    if (is_lead(word))
+    if (begins_clause(word))
         return {"conditions stand before the actions",
                 fmt::format("write {} and its condition behind the event", word)};
     if (word == "once") return {"'once' stands behind the event", "as in: on cue hit ball once"};
     if (word == "and")
         return {"a comma separates actions", "write it in place of 'and': score 1, turn"};
+    if (auto advice = advice_on_player(shape, words[1], words[extra])) return std::move(*advice);
     if (auto advice = advice_on_condition(word)) return std::move(*advice);
     if (extra == 2 && is_among(words[1].text, {"=", "+=", "-="})) {
         std::string value;  // what follows, without the blanks in it
@@ -178,8 +250,11 @@ RuleAdvice advice_on_extra_word(std::span<const Word> words, std::size_t extra,
     if (extra == 2 && is_among(words[1].text, {"+", "-"}))
         return {"a value has no blanks",
                 fmt::format("write it as: {} {}{}", words[0].text, words[1].text, word)};
+    if (extra == 1)
+        return {fmt::format("'{}' takes nothing behind it", shape.name),
+                fmt::format("write it alone; {}", shape.does)};
     return {fmt::format("'{}' is not expected here", word),
-            fmt::format("write it as: {}; a comma before the next action", sample)};
+            fmt::format("write it as: {}; a comma before the next action", shape.sample)};
 }
 
 }  // namespace carom

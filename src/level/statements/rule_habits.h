@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "level/ir/context.h"
+#include "level/statements/action_shapes.h"
 
 /// Advice for what authors write in rules out of habit from other languages: `==`, `else`, `not`,
 /// `made = 1`, a condition behind the action.
@@ -28,13 +29,13 @@ std::optional<RuleAdvice> advice_on_event(std::string_view subject, std::string_
                                           const Context& context);
 
 /// An action that is not known. None: it resembles nothing.
-std::optional<RuleAdvice> advice_on_action(std::string_view word, const Context& context);
+std::optional<RuleAdvice> advice_on_action(std::span<const Word> words, const Context& context);
 
 /// Whether an unknown action has the form `total +1` or `total 3`, which sets a variable.
 bool looks_like_variable(std::span<const Word> action);
 
-/// An action with a word too many, which is words[extra]. `sample` shows its form.
-RuleAdvice advice_on_extra_word(std::span<const Word> words, std::size_t extra,
-                                std::string_view sample, const Context& context);
+/// An action with words too many.
+RuleAdvice advice_on_extra_word(std::span<const Word> words, const ActionShape& shape,
+                                const Context& context);
 
 }  // namespace carom

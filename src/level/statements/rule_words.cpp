@@ -7,6 +7,7 @@
 
 #include "level/ir/numbers.h"
 #include "level/statements/rule_actions.h"
+#include "level/statements/rule_events.h"
 #include "level/statements/rule_habits.h"
 #include "level/text/spelling.h"
 
@@ -20,9 +21,10 @@ bool is_digit(char c) {
 }  // namespace
 
 std::optional<RuleQuantity> rule_quantity_named(std::string_view name) {
-    const auto found = std::ranges::find(quantity_names, name);
-    if (found == std::end(quantity_names)) return std::nullopt;
-    return static_cast<RuleQuantity>(found - std::begin(quantity_names));
+    const auto rows = rule_quantities();
+    const auto* const found = row_named(rows, name);
+    if (!found) return std::nullopt;
+    return static_cast<RuleQuantity>(found - rows.data());
 }
 
 // A position in a word that is being parsed.
@@ -99,6 +101,16 @@ bool RuleWords::is_ball_above(std::string_view name) const {
                                [&](const KindIr& kind) { return kind.name.text == name; });
 }
 
+// Whether a word that the rules do not know is a number or arithmetic: the names of devices are
+// identifiers, with `.2` behind them.
+bool RuleWords::is_level_number(std::string_view text) const {
+    if (!is_identifier(text.substr(0, text.find('.')))) return true;
+    std::uint64_t cost = 0;
+    const bool is_let = scope_.find(text, cost) || context_.top_level_lets.contains(text);
+    context_.work.spend(cost);
+    return is_let;
+}
+
 // Reports the first name in `word` that neither the rules nor the numbers of the level know. A
 // function is none of the names to suggest: what is missing is a variable.
 bool RuleWords::knows_names(const Word& word) {
@@ -130,13 +142,13 @@ bool RuleWords::knows_names(const Word& word) {
             return false;
         }
         if (begins_action(name, context_)) {
-            context_.reporter.error(
-                "unknown-name", word.part(from, at - from).span(),
-                fmt::format("'{}' is an action, which is no number", name),
-                fmt::format("there are variables, and: {}", fmt::join(quantity_names, " ")));
+            context_.reporter.error("unknown-name", word.part(from, at - from).span(),
+                                    fmt::format("'{}' is an action, which is no number", name),
+                                    fmt::format("there are variables, and: {}",
+                                                fmt::join(names_of(rule_quantities()), " ")));
             return false;
         }
-        std::vector<std::string_view> known(std::begin(quantity_names), std::end(quantity_names));
+        std::vector<std::string_view> known = names_of(rule_quantities());
         for (const auto& [other, symbol] : context_.ir.rule_symbols)
             known.push_back(other);
         for (const auto& [other, line] : context_.top_level_lets)
@@ -276,7 +288,7 @@ bool RuleWords::call(Cursor& cursor, const Word& function, RuleValue& out) {
     context_.reporter.error(
         "unknown-function", function.span(),
         fmt::format("a rule has no function '{}'", function.text),
-        "there are: count(BALLS) count(BALLS,ZONE) lit(LAMPS) min(A,B) max(A,B)");
+        fmt::format("there are: {}", fmt::join(names_of(rule_functions()), " ")));
     return false;
 }
 

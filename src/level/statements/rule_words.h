@@ -38,6 +38,7 @@ class RuleWords {
     struct Cursor;
     bool mentions_rules(std::string_view text) const;
     bool is_ball_above(std::string_view name) const;
+    bool is_level_number(std::string_view text) const;
     bool knows_names(const Word& word);
     bool sum(Cursor& cursor, RuleValue& out);
     bool product(Cursor& cursor, RuleValue& out);

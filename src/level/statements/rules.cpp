@@ -7,39 +7,16 @@
 
 #include "level/ir/numbers.h"
 #include "level/statements/rule_actions.h"
+#include "level/statements/rule_events.h"
 #include "level/statements/rule_words.h"
 #include "level/text/spelling.h"
 
 namespace carom {
 namespace {
 
-struct EventWord {
-    std::string_view name;
-    RuleEvent event;             // refined when the subject is known (assemble/rule_assembly.h)
-    std::string_view subject{};  // the only subject that has this event; empty: a name of the level
-    bool takes_other = false;    // a second name may follow
-};
-constexpr std::array event_words{EventWord{"hit", RuleEvent::hit, {}, true},
-                                 EventWord{"all", RuleEvent::all},
-                                 EventWord{"enter", RuleEvent::enter, {}, true},
-                                 EventWord{"leave", RuleEvent::place_left, {}, true},
-                                 EventWord{"rail", RuleEvent::rail, {}, true},
-                                 EventWord{"pocketed", RuleEvent::pocketed, {}, true},
-                                 EventWord{"begins", RuleEvent::game_begins, "game"},
-                                 EventWord{"begins", RuleEvent::turn_begins, "turn"},
-                                 EventWord{"begins", RuleEvent::shot_begins, "shot"},
-                                 EventWord{"ends", RuleEvent::shot_ends, "shot"},
-                                 EventWord{"judged", RuleEvent::shot_judged, "shot"},
-                                 EventWord{"launch", RuleEvent::launch, "ball"},
-                                 EventWord{"drain", RuleEvent::drain, "ball"}};
-
 // Words that stand for balls, so that no action can begin with them.
 bool is_ball_word(std::string_view word) {
     return word == "ball" || word == "cue" || word == "opponent" || word == "it";
-}
-
-bool begins_clause(const Word& word) {
-    return word.text == "while" || word.text == "unless" || word.text == "if";
 }
 
 class RuleReader {
@@ -80,7 +57,7 @@ class RuleReader {
     }
 
     std::optional<std::vector<RuleClause>> read_needs(RuleWords& reader, std::size_t& next) {
-        if (next < words_.size() && begins_clause(words_[next]) && words_.size() < next + 3) {
+        if (next < words_.size() && begins_clause(words_[next].text) && words_.size() < next + 3) {
             const Word& word = words_[next];
             refuse("rule-incomplete", word, fmt::format("{} what, and what then?", word.text));
             return std::nullopt;
@@ -99,11 +76,14 @@ class RuleReader {
         std::vector<std::string_view> known;
         const bool is_moment = rule.subject.text == "game" || rule.subject.text == "turn" ||
                                rule.subject.text == "shot";
-        for (const EventWord& row : event_words) {
+        for (const EventWord& row : event_words()) {
             if (is_moment ? row.subject != rule.subject.text
                           : !row.subject.empty() && row.subject != rule.subject.text)
                 continue;
-            known.push_back(row.name);
+            const bool is_of_other_game =
+                (row.games == RuleGames::pinball && context_.ir.settings.is_shots) ||
+                (row.games == RuleGames::shots && context_.ir.settings.table.is_game);
+            if (is_moment || !is_of_other_game) known.push_back(row.name);
             if (row.name != word.text) continue;
             rule.rule.event = row.event;
             if (row.takes_other && has_other(next)) rule.other = words_[next++];
@@ -115,15 +95,6 @@ class RuleReader {
                                         std::move(advice->message), std::move(advice->remedy));
                 return false;
             }
-        const LevelSettings& settings = context_.ir.settings;
-        if (settings.is_shots)
-            std::erase_if(known, [](std::string_view name) {
-                return name == "all" || name == "launch" || name == "drain";
-            });
-        if (settings.table.is_game)
-            std::erase_if(known, [](std::string_view name) {
-                return name == "leave" || name == "rail" || name == "pocketed";
-            });
         return refuse_event(word, known);
     }
 
@@ -161,8 +132,7 @@ class RuleReader {
         if (next + 1 >= words_.size()) return false;
         const std::string_view word = words_[next].text;
         const auto is_lead = [](std::string_view text) {
-            return text == "once" || text == "if" || text == "while" || text == "unless" ||
-                   text == "and" || text == "or";
+            return text == "once" || begins_clause(text) || text == "and" || text == "or";
         };
         if (is_lead(word)) return false;
         if (is_ball_word(word)) return true;
@@ -231,8 +201,9 @@ bool declare(const Word& name, bool is_timer, Context& context) {
     const auto [found, is_new] =
         ir.rule_symbols.emplace(std::string(name.text), RuleSymbolIr{name, is_timer, index});
     if (is_new) return true;
-    return refuse(
-        fmt::format("the name '{}' is taken, in line {}", name.text, found->second.name.line));
+    const RuleSymbolIr& other = found->second;
+    return refuse(taken_message(name.span(), name.text, other.is_timer ? "timer" : "variable",
+                                other.name.span()));
 }
 
 std::optional<RuleScope> scope_named(std::string_view name) {
@@ -297,7 +268,8 @@ void add_task(const Arguments& arguments, const Frame& frame, Context& context) 
     std::size_t next = 1;
     std::vector<std::uint32_t> shots;
     if (next + 1 < arguments.plain.size() && arguments.plain[next].text == "for")
-        for (++next; next < arguments.plain.size() && !begins_clause(arguments.plain[next]); ++next)
+        for (++next; next < arguments.plain.size() && !begins_clause(arguments.plain[next].text);
+             ++next)
             shots.push_back(reader.name(arguments.plain[next], RuleNameIr::Role::device));
     auto needs = reader.clauses(arguments.plain, next);
     if (!needs) return;

@@ -1,5 +1,7 @@
 #include "level/text/reporter.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace carom {
@@ -71,6 +73,14 @@ std::vector<Diagnostic> Reporter::diagnostics() const {
     for (Entry& e : sorted)
         result.push_back(std::move(e.diagnostic));
     return result;
+}
+
+std::string taken_message(const Span& at, std::string_view name, std::string_view holder,
+                          const Span& holder_at) {
+    const bool is_elsewhere = holder_at.source && holder_at.source != at.source;
+    return fmt::format("the name '{}' is taken by the {} in line {}{}", name, holder,
+                       holder_at.line,
+                       is_elsewhere ? fmt::format(" of {}", holder_at.source->name) : "");
 }
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -49,5 +50,10 @@ class Reporter {
     std::set<std::tuple<Severity, int, int, int>> places_;
     std::size_t errors_ = 0;
 };
+
+/// "the name 'reds' is taken by the rack in line 7": for an error at `at`. `holder` is the keyword
+/// of what has the name, at `holder_at`; its file is named if it is another.
+std::string taken_message(const Span& at, std::string_view name, std::string_view holder,
+                          const Span& holder_at);
 
 }  // namespace carom

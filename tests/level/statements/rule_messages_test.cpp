@@ -94,6 +94,13 @@ TEST_CASE("rules: conditions from other languages are told in this one") {
         {"on shot ends if count(red)=0,hits=1  score 1", "no comma joins", "write and"},
         {"on shot ends if red=0  score 1", "'red' names balls", "count(red)"},
         {"on shot ends if turn=2  score 1", "'turn' is an action", "player"},
+        {"on shot ends if score of player 1>3  win", "there is no 'of'", "player=1"},
+        {"on shot ends if player 1  score 1", "a sign is missing before '1'", "player=1"},
+        {"on shot ends if red  score 1", "'red' names balls", "if count(red)>0"},
+        {"on shot ends if trap  score 1", "'trap' names a place", "if count(ball,trap)>0"},
+        {"task \"A\" if 0", "'0' is a number", "has no if"},
+        {"task \"A\" unless 2*3", "'2*3' is a number", "has no if"},
+        {"let n=3\ntask \"A\" if n", "'n' is a number", "has no if"},
     };
     for (const Told& told : cases)
         check_that(told);
@@ -108,6 +115,21 @@ TEST_CASE("rules: actions and variables from other languages are told in this on
         {"on shot ends  hits -=1", "'-=1' is not a value", "made -1"},
         {"on shot ends  total +1", "no action 'total'", "var total"},
         {"on shot ends  score 1,", "an action is missing", "leave the comma out"},
+        {"on shot ends  add score 1", "without 'add'", "score 1"},
+        {"on shot ends  add 2 to hits", "without 'add'", "hits +2"},
+        {"on shot ends  subtract 1 from score", "without 'subtract'", "score -1"},
+        {"on shot ends  set hits 3", "without 'set'", "hits 3"},
+        {"on shot ends  set score 3", "without 'set'", "which adds"},
+        {"on shot ends  add 1", "without 'add'", "name what it changes"},
+        {"on shot ends  score player 1", "whose turn it is", "score 100"},
+        {"on shot ends  score 1 for opponent", "whose turn it is", "player=2"},
+        {"on shot ends  win player 2", "whose turn it is", "lose"},
+        {"on shot ends  turn player 2", "whose turn it is", "the next player shoots"},
+        {"on shot ends  win now", "takes nothing behind it", "write it alone"},
+        {"on shot ends  end 3", "takes nothing behind it", "the score decides"},
+        {"on red pocketed hole trap  score 1", "'hole' is the name of a pocket", "line twice"},
+        {"on shot ends  red 1", "'red' is the name of a ball", "respot NAME"},
+        {"on shot ends  start 20s", "no timer or motion '20s'", "start TIMER 20s"},
         {"var made start 3", "'3' is not expected", "var made start=3"},
         {"var made on shot", "'on' is not expected", "var made of shot"},
     };
@@ -165,4 +187,18 @@ TEST_CASE("rules that resemble those without effect are not warned of") {
         CAPTURE(lines);
         CHECK(load(lines).diagnostics.empty());
     }
+}
+
+TEST_CASE("a name that is taken is told with what has it, and where") {
+    constexpr Told cases[] = {
+        {"ball red at=500,500 kind=ivory", "taken by the ball in line 9", "of its own"},
+        {"zone red 500,500 500,500 r=9", "taken by the ball in line 9", "choose another"},
+        {"rack triangle reds at=500,350 kind=ivory\nzone reds 500,500 500,500 r=9",
+         "taken by the rack in line 19", "choose another"},
+        {"kind ivory r=9", "taken by the kind in line 4", "of its own"},
+        {"var hurry", "taken by the timer in line 11", "choose another"},
+        {"timer hits 3s", "taken by the variable in line 13", "choose another"},
+    };
+    for (const Told& told : cases)
+        check_that(told);
 }
