@@ -44,7 +44,8 @@ struct ReportField {
 };
 
 struct QuantityRow {
-    std::string_view name;  ///< as written in levels
+    std::string_view name;     ///< as written in levels
+    std::string_view meaning;  ///< in one line
     QuantityScope scope = QuantityScope::world;
     Dimension dimension{};  ///< all 0: a pure number
     // How it is computed: the function of its scope, or none.

@@ -1,7 +1,12 @@
 #include <doctest/doctest.h>
 
-#include "carom/support/process.h"
+#include <string>
 
+#include "carom/support/process.h"
+#include "level/statements/action_shapes.h"
+#include "level/statements/rule_events.h"
+
+using namespace carom;
 using namespace carom::test;
 
 TEST_CASE("explain prints a statement with its keys, and what begins with a word") {
@@ -15,6 +20,32 @@ TEST_CASE("explain prints a statement with its keys, and what begins with a word
     CHECK(has(use.out, "use drag "));
     CHECK(run_carom({"explain", "use", "drag"}).out.starts_with("use drag "));
     CHECK(has(run_carom({"explain"}).out, "use gravity "));
+}
+
+TEST_CASE("explain lists the events, filters and actions of rules, and their numbers") {
+    const std::string on = run_carom({"explain", "on"}).out;
+    CHECK(on.starts_with("on NAME EVENT "));
+    for (const EventWord& event : event_words())
+        CHECK(has(on, std::string(event.form)));
+    for (const ActionShape& action : action_shapes())
+        CHECK(has(on, std::string(action.sample)));
+    CHECK(has(on, "    shot judged                the rules of shot ends have run"));
+    CHECK(has(on, "    once                       for the first time in a shot"));
+    CHECK(has(on, "    VARIABLE +1 "));
+    const std::string condition = run_carom({"explain", "if"}).out;
+    for (const RuleQuantityRow& row : rule_quantities())
+        CHECK(has(condition, std::string(row.name)));
+    CHECK(has(condition, "    count(BALLS,ZONE)          how many of them lie in a zone"));
+    CHECK(has(run_carom({"explain", "expect"}).out, "    momentum_x                 of all balls"));
+    CHECK(has(run_carom({"explain", "respot"}).out, "    respot BALLS ZONE  "));
+    const std::string gate = run_carom({"explain", "ball"}).out;
+    CHECK(gate.starts_with("ball [NAME] at=X,Y"));
+    CHECK(has(gate, "in rules (on, task, goal):\n    ball   "));
+    for (std::size_t from = 0, end = 0; from < condition.size(); from = end + 1) {
+        end = condition.find('\n', from);
+        CAPTURE(condition.substr(from, end - from));
+        CHECK(end - from <= 100);
+    }
 }
 
 TEST_CASE("explain suggests a statement for a mistyped one") {
