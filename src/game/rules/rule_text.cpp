@@ -12,6 +12,9 @@ std::string text_of(const RuleBook& book, const RuleState& state, const RuleHost
             written += *words;
         } else if (const auto* value = std::get_if<RuleValue>(&piece)) {
             written += fmt::format("{}", value_of(book, state, host, *value));
+        } else if (const auto* counted = std::get_if<RuleText::Counted>(&piece)) {
+            const std::int64_t count = value_of(book, state, host, counted->value);
+            written += fmt::format("{} {}", count, count == 1 ? counted->one : counted->other);
         } else {
             const std::int64_t left =
                 seconds_left(state, host, std::get<RuleText::Clock>(piece).timer);

@@ -15,7 +15,7 @@ class RuleLog {
     /// A line with the numbers and variables that have changed since the last call, and the message
     /// if it has; empty: nothing has. The first call notes the start, and says nothing.
     ///
-    ///     tick 452, 3.767 s: hits 1, score1 6, "1 hits: 1 point"
+    ///     tick 452, 3.767 s: hits 1, score1 6, "1 hit: 1 point"
     ///
     /// A variable of `player` has the player's number behind its name. Cost: all numbers of the
     /// game, by name.

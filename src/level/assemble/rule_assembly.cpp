@@ -39,8 +39,11 @@ void renumber(RuleValue& value, const std::vector<std::uint32_t>& meanings) {
 }
 
 void renumber(RuleText& text, const std::vector<std::uint32_t>& meanings) {
-    for (auto& piece : text.pieces)
+    for (auto& piece : text.pieces) {
         if (auto* value = std::get_if<RuleValue>(&piece)) renumber(*value, meanings);
+        if (auto* counted = std::get_if<RuleText::Counted>(&piece))
+            renumber(counted->value, meanings);
+    }
 }
 
 void renumber(std::vector<RuleClause>& needs, const std::vector<std::uint32_t>& meanings) {

@@ -151,7 +151,12 @@ struct RuleText {
     struct Clock {
         std::uint32_t timer = 0;  ///< shown as minutes and seconds left: 0:18
     };
-    std::vector<std::variant<std::string, RuleValue, Clock>> pieces;
+    struct Counted {  ///< shown as 1 hit, 2 hits
+        RuleValue value;
+        std::string one;    ///< hit
+        std::string other;  ///< hits
+    };
+    std::vector<std::variant<std::string, RuleValue, Clock, Counted>> pieces;
 };
 
 struct RuleAction {

@@ -34,7 +34,7 @@ constexpr ActionShape shapes[] = {
     {"release", What::release, Takes::holder, pinball, "release NAME",
      "holes and magnets let go what they hold"},
     {"message", What::message, Takes::text, both, "message \"TEXT\"",
-     "shows a text; {score} in it is a value"},
+     "shows a text, with values: {score}, {score point|points}"},
     {"start", What::start, Takes::timer_and_maybe_time, both, "start TIMER 20s",
      "a timer or a motion runs; without a time, for its own"},
     {"stop", What::stop, Takes::timer, both, "stop TIMER",

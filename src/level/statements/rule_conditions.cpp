@@ -136,6 +136,24 @@ std::optional<std::vector<RuleClause>> RuleWords::clauses(const std::vector<Word
     return made;
 }
 
+// {hits hit|hits}: a value, a blank, and the words for one and for any other number.
+std::optional<RuleText::Counted> RuleWords::counted_text(const Word& inside, std::size_t blank) {
+    const std::string_view words = inside.text.substr(blank + 1);
+    const std::size_t bar = words.find('|');
+    const bool is_whole = blank > 0 && bar != std::string_view::npos && bar > 0 &&
+                          bar + 1 < words.size() && words.find('|', bar + 1) == words.npos;
+    if (!is_whole) {
+        context_.reporter.error("message-brace", inside.span(),
+                                "a value in braces has no blanks, but words for one and for more",
+                                "write it as: {made} or {made point|points}");
+        return std::nullopt;
+    }
+    auto number = value(inside.part(0, blank), "", Bound::any);
+    if (!number) return std::nullopt;
+    return RuleText::Counted{std::move(*number), std::string(words.substr(0, bar)),
+                             std::string(words.substr(bar + 1))};
+}
+
 std::optional<RuleText> RuleWords::text(const Word& word, std::string_view sample) {
     if (word.text.size() < 2 || word.text.front() != '"') {
         context_.reporter.error("message-without-quotes", word.span(), "a message stands in quotes",
@@ -156,7 +174,12 @@ std::optional<RuleText> RuleWords::text(const Word& word, std::string_view sampl
             return std::nullopt;
         }
         const Word inside = word.part(open + 1, close - open - 1);
-        if (const RuleSymbolIr* symbol = read_symbol(inside.text); symbol && symbol->is_timer) {
+        if (const std::size_t blank = inside.text.find(' '); blank != std::string_view::npos) {
+            auto counted = counted_text(inside, blank);
+            if (!counted) return std::nullopt;
+            made.pieces.emplace_back(std::move(*counted));
+        } else if (const RuleSymbolIr* symbol = read_symbol(inside.text);
+                   symbol && symbol->is_timer) {
             made.pieces.emplace_back(RuleText::Clock{symbol->index});
         } else {
             auto number = value(inside, "", Bound::any);

@@ -48,6 +48,7 @@ class RuleWords {
     bool push(const Cursor& cursor, RuleStep step, RuleValue& out);
     bool push_name(const Word& word, RuleValue& out);
     bool push_number(const Word& word, RuleValue& out);
+    std::optional<RuleText::Counted> counted_text(const Word& inside, std::size_t blank);
     std::nullopt_t malformed(const Word& at);
     std::nullopt_t refuse(const Word& at, RuleAdvice advice);
     std::optional<RuleCondition> condition(const std::vector<Word>& words, std::size_t& next);

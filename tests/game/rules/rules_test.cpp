@@ -91,3 +91,16 @@ TEST_CASE("rules: a player's variable exists for each player") {
     begin_scope(book, state, RuleScope::turn);
     CHECK(state.values == std::vector<std::int64_t>{1, 2, 5});
 }
+
+TEST_CASE("rules: a number in a text has the word for one, or that for any other") {
+    const auto text = [](std::int64_t n) {
+        RuleText text;
+        text.pieces.emplace_back(RuleText::Counted{{number(n)}, "hit", "hits"});
+        text.pieces.emplace_back(std::string(": done"));
+        return text_of(RuleBook{}, RuleState{}, Nothing{}, text);
+    };
+    CHECK(text(1) == "1 hit: done");
+    CHECK(text(0) == "0 hits: done");
+    CHECK(text(2) == "2 hits: done");
+    CHECK(text(-1) == "-1 hits: done");
+}

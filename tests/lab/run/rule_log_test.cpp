@@ -21,7 +21,7 @@ TEST_CASE("the log of the rules has what changed, when, and what was said") {
                              "var tries of player\n"
                              "on shot begins  tries +1\n"
                              "on cue rail  rails +1\n"
-                             "on shot ends  score rails, message \"{rails} rails\", turn\n"
+                             "on shot ends  score rails, message \"{rails rail|rails}\", turn\n"
                              "on shot judged if shots=3  end\n",
                              "log.level", {})
                              .scene;
@@ -45,5 +45,5 @@ TEST_CASE("the log of the rules has what changed, when, and what was said") {
     CAPTURE(text);
     CHECK(text.starts_with("tick 2, 0.017 s: tries1 1, shots 1\n"));
     CHECK(text.find(" s: rails 1\n") != std::string::npos);
-    CHECK(text.find(" s: player 2, score1 1, \"1 rails\"\n") != std::string::npos);
+    CHECK(text.find(" s: player 2, score1 1, \"1 rail\"\n") != std::string::npos);
 }

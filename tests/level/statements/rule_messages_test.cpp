@@ -130,6 +130,10 @@ TEST_CASE("rules: actions and variables from other languages are told in this on
         {"on red pocketed hole trap  score 1", "'hole' is the name of a pocket", "line twice"},
         {"on shot ends  red 1", "'red' is the name of a ball", "respot NAME"},
         {"on shot ends  start 20s", "no timer or motion '20s'", "start TIMER 20s"},
+        {"on shot ends  message \"{hits hit}\"", "has no blanks", "{made point|points}"},
+        {"on shot ends  message \"{2 * hits}\"", "has no blanks", "{made}"},
+        {"on shot ends  message \"{hits |hits}\"", "has no blanks", "{made}"},
+        {"on shot ends  message \"{maid hit|hits}\"", "'maid' is not known", "declare it"},
         {"var made start 3", "'3' is not expected", "var made start=3"},
         {"var made on shot", "'on' is not expected", "var made of shot"},
     };
@@ -187,6 +191,20 @@ TEST_CASE("rules that resemble those without effect are not warned of") {
         CAPTURE(lines);
         CHECK(load(lines).diagnostics.empty());
     }
+}
+
+TEST_CASE("a name that is taken is told with what has it, and where") {
+    constexpr Told cases[] = {
+        {"ball red at=500,500 kind=ivory", "taken by the ball in line 9", "of its own"},
+        {"zone red 500,500 500,500 r=9", "taken by the ball in line 9", "choose another"},
+        {"rack triangle reds at=500,350 kind=ivory\nzone reds 500,500 500,500 r=9",
+         "taken by the rack in line 19", "choose another"},
+        {"kind ivory r=9", "taken by the kind in line 4", "of its own"},
+        {"var hurry", "taken by the timer in line 11", "choose another"},
+        {"timer hits 3s", "taken by the variable in line 13", "choose another"},
+    };
+    for (const Told& told : cases)
+        check_that(told);
 }
 
 TEST_CASE("a name that is taken is told with what has it, and where") {
