@@ -206,6 +206,10 @@ std::optional<Quantity> SymbolTable::bins_quantity(const Word& word, std::size_t
 std::optional<Expect> SymbolTable::make_expect(const ExpectIr& spec) {
     const auto what = quantity_of(spec.quantity);
     if (!what) return std::nullopt;
+    if (name(what->kind) == "escaped" && std::ranges::none_of(ir_.chains, &ChainIr::is_closed))
+        context_.reporter.warning("nothing-to-escape", spec.quantity.span(),
+                                  "no edge is closed, so there is nothing to escape from",
+                                  "close one, or draw a box; for balls removed: expect removed 0");
     Expect expect = spec.expect;
     expect.quantity = std::string(spec.quantity.text);
     expect.what = *what;
