@@ -121,6 +121,13 @@ void judge(const Expect& expect, const World& world, const RunWatch& watch, bool
         judgement.measured = measured;
         judgement.time = world.time();
     }
+    const bool is_nearer =
+        measured && (!judgement.nearest ||
+                     shortfall(expect, *measured) < shortfall(expect, *judgement.nearest));
+    if (expect.when == by && is_nearer) {
+        judgement.nearest = measured;
+        judgement.nearest_time = world.time();
+    }
     const bool decides = (expect.when == by && is_so) || (expect.when == never && is_so) ||
                          (expect.when == always && measured && !is_so);
     if (!decides && !is_due) return;

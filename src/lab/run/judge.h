@@ -30,7 +30,10 @@ struct Judgement {
     std::optional<double> measured;
     std::string_view reason;     ///< why not judged; empty otherwise
     std::optional<double> time;  ///< of the tick that `measured` is from, s
-    bool is_decided = false;     ///< no later tick can change the verdict
+    /// Of Expect::When::by: the value that came nearest to holding, at its first tick, and when.
+    std::optional<double> nearest{};
+    double nearest_time = 0.0;  ///< s
+    bool is_decided = false;    ///< no later tick can change the verdict
 };
 
 /// Judges the expectation at the present tick, and updates its judgement. Called after every tick,

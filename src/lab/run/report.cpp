@@ -139,6 +139,10 @@ void write_expects(JsonWriter& json, const Scene& scene, const RunRecord& record
         judgement.measured ? json.value(*judgement.measured) : json.null();
         json.key("time");
         judgement.time ? json.value(*judgement.time) : json.null();
+        if (judgement.nearest) {
+            json.field("nearest", *judgement.nearest);
+            json.field("nearest_time", judgement.nearest_time);
+        }
         json.field("verdict", name(judgement.verdict));
         json.end_object();
     }

@@ -43,6 +43,9 @@ std::string finding_text(const Scene& scene, const Expect& expect, const Judgeme
     if (!judgement.measured) return "it has no value";
     std::string text = fmt::format("it is {}{}", *judgement.measured, unit_of(scene, expect));
     if (expect.when != Expect::When::last) text += fmt::format(" at {} s", *judgement.time);
+    if (judgement.verdict == Verdict::fails && judgement.nearest)
+        text += fmt::format(", nearest {}{} at {} s", *judgement.nearest, unit_of(scene, expect),
+                            judgement.nearest_time);
     return text;
 }
 

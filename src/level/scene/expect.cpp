@@ -27,4 +27,18 @@ bool holds(const Expect& expect, double measured) {
     return std::abs(measured - expect.value) <= expect.tolerance;
 }
 
+double shortfall(const Expect& expect, double measured) {
+    switch (expect.relation) {
+        case Expect::Relation::less:
+        case Expect::Relation::at_most:
+            return measured - expect.value;
+        case Expect::Relation::more:
+        case Expect::Relation::at_least:
+            return expect.value - measured;
+        case Expect::Relation::within:
+            break;
+    }
+    return std::abs(measured - expect.value) - expect.tolerance;
+}
+
 }  // namespace carom

@@ -62,6 +62,8 @@ struct Expect {
 std::string_view sign(Expect::Relation relation);
 /// Whether the relation of `expect` holds for this value.
 bool holds(const Expect& expect, double measured);
+/// How far a value is from holding, in its unit; 0 or less: it holds, or is at the bound.
+double shortfall(const Expect& expect, double measured);
 
 /// Balls, edges and zones that share a name.
 struct Group {

@@ -142,15 +142,24 @@ TEST_CASE("the summary and the verdicts read well") {
             "expect a.x 0.5 within 1e-12\n"
             "expect a.x 3 within 0.25\n"
             "expect a.x 1 within 0 at=5\n"
-            "expect a.x < 0.25 always by=1s\n",
+            "expect a.x < 0.25 always by=1s\n"
+            "expect a.x > 3 by=0.5s\n"
+            "expect a.x -1 within 0.5 by=0.5s\n"
+            "expect a.x < -2 by=0.25s\n",
             32);
     const std::string text = summary(finished.scene, finished.world, finished.record, 0.25);
     CHECK(has(text, "A test\n0.5 s simulated in 32 ticks by event"));
     CHECK(verdicts(finished.scene, finished.record, Verdict::holds) ==
           "test.level:4: holds: expect a.x 0.5 within 1e-12: it is 0.5\n");
-    CHECK(verdicts(finished.scene, finished.record, Verdict::fails) ==
-          "test.level:5: error: expect a.x 3 within 0.25: it is 0.5\n"
-          "test.level:7: error: expect a.x < 0.25 always by 1s: it is 0.25 at 0.25 s\n");
+    CHECK(
+        verdicts(finished.scene, finished.record, Verdict::fails) ==
+        "test.level:5: error: expect a.x 3 within 0.25: it is 0.5\n"
+        "test.level:7: error: expect a.x < 0.25 always by 1s: it is 0.25 at 0.25 s\n"
+        "test.level:8: error: expect a.x > 3 by 0.5s: it is 0.5 at 0.5 s, nearest 0.5 at 0.5 s\n"
+        "test.level:9: error: expect a.x -1 within 0.5 by 0.5s: it is 0.5 at 0.5 s, nearest 0 at 0 "
+        "s\n"
+        "test.level:10: error: expect a.x < -2 by 0.25s: it is 0.25 at 0.25 s, nearest 0 at 0 "
+        "s\n");
     CHECK(verdicts(finished.scene, finished.record, Verdict::not_judged) ==
           "test.level:6: not judged: expect a.x 1 within 0: the run ended before its time\n");
 }
