@@ -3,114 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 
-#include "level/statements/rule_actions.h"
+#include "level/assemble/rule_tests.h"
 
 namespace carom {
 namespace {
-
-using Relation = RuleCondition::Relation;
-
-// The whole numbers that a value may have, while conditions narrow them.
-struct Range {
-    std::int64_t least = -most_rule_number;
-    std::int64_t most = most_rule_number;
-    std::vector<std::int64_t> excluded{};
-
-    void narrow(Relation relation, std::int64_t to) {
-        using enum RuleCondition::Relation;
-        if (relation == unequal) excluded.push_back(to);
-        if (relation == equal || relation == at_least) least = std::max(least, to);
-        if (relation == equal || relation == at_most) most = std::min(most, to);
-        if (relation == more) least = std::max(least, to + 1);
-        if (relation == less) most = std::min(most, to - 1);
-    }
-
-    bool is_empty() const {
-        std::int64_t first = least;
-        while (std::ranges::count(excluded, first) > 0)
-            ++first;
-        return first > most;
-    }
-};
-
-Relation opposite(Relation relation) {
-    using enum RuleCondition::Relation;
-    switch (relation) {
-        case equal:
-            return unequal;
-        case unequal:
-            return equal;
-        case less:
-            return at_least;
-        case at_most:
-            return more;
-        case more:
-            return at_most;
-        case at_least:
-            break;
-    }
-    return less;
-}
-
-// `3<made` is `made>3`.
-Relation swapped(Relation relation) {
-    using enum RuleCondition::Relation;
-    switch (relation) {
-        case less:
-            return more;
-        case at_most:
-            return at_least;
-        case more:
-            return less;
-        case at_least:
-            return at_most;
-        default:
-            return relation;
-    }
-}
-
-bool is_number(const RuleValue& value) {
-    return value.size() == 1 && value.front().what == RuleStep::What::number;
-}
-
-// A value that is no arithmetic, and the number that it is compared with.
-struct Test {
-    RuleStep step;
-    Relation relation{};
-    std::int64_t number = 0;
-};
-
-std::optional<Test> test_of(const RuleCondition& condition) {
-    if (condition.what != RuleCondition::What::compare) return std::nullopt;
-    const bool is_swapped = is_number(condition.left);
-    const RuleValue& value = is_swapped ? condition.right : condition.left;
-    const RuleValue& number = is_swapped ? condition.left : condition.right;
-    if (value.size() != 1 || !is_number(number)) return std::nullopt;
-    return Test{value.front(), is_swapped ? swapped(condition.relation) : condition.relation,
-                number.front().number};
-}
-
-// The conditions that all hold where these clauses do, as far as they are single ones.
-std::vector<Test> tests_of(const std::vector<RuleClause>& needs) {
-    std::vector<Test> tests;
-    for (const RuleClause& clause : needs) {
-        if (clause.is_not && clause.all.size() > 1) continue;
-        for (const RuleCondition& condition : clause.all) {
-            auto test = test_of(condition);
-            if (!test) continue;
-            if (clause.is_not) test->relation = opposite(test->relation);
-            tests.push_back(*test);
-        }
-    }
-    return tests;
-}
 
 class FutileRules {
   public:
@@ -158,7 +60,9 @@ class FutileRules {
                 if (first) warn_of_ending(ir_.rules[i].actions[k], ir_.rules[i].actions[*first]);
                 first = k;
             }
-            if (first) compare_ending(i, *first);
+            if (!first) continue;
+            compare_ending(i, *first);
+            compare_bounds(i, *first);
         }
     }
 
@@ -167,22 +71,53 @@ class FutileRules {
         context_.reporter.warning(code, at.span(), std::move(message), std::move(remedy));
     }
 
-    Range range_of(const RuleStep& step) const {
+    RuleRange range_of(const RuleStep& step) const {
         using enum RuleStep::What;
         if (step.what == seconds || step.what == lit) return {0};
+        if (step.what == variable)
+            return range_of_variable(static_cast<std::uint32_t>(step.number));
         if (step.what != count) return {};
         const bool is_taken =
             step.place >= 0 && facts_.takes_balls[static_cast<std::size_t>(step.place)];
         return {0, is_taken ? 0 : facts_.balls[static_cast<std::size_t>(step.number)]};
     }
 
+    // What one number may be, as far as it is plain: counts and times are 0 or more, a variable may
+    // be anything.
+    static RuleRange plain_range(const RuleValue& value) {
+        if (value.size() != 1) return {};
+        const RuleStep& step = value.front();
+        if (step.what == RuleStep::What::number) return {step.number, step.number};
+        const bool is_any =
+            step.what == RuleStep::What::variable || step.what == RuleStep::What::quantity;
+        return is_any ? RuleRange{} : RuleRange{0};
+    }
+
+    // From its start and all that rules add to it, or set it to. One that no rule changes is a
+    // number of the level, which its conditions may know.
+    RuleRange range_of_variable(std::uint32_t variable) const {
+        if (!is_set(variable)) return {};
+        const std::int64_t start = book_.variables[variable].start;
+        RuleRange range{start, start};
+        for (const Rule& rule : book_.rules)
+            for (const RuleAction& action : rule.actions) {
+                if (action.what != RuleAction::What::set || action.index != variable) continue;
+                const RuleRange given = plain_range(action.value);
+                if (!action.adds) range.least = std::min(range.least, given.least);
+                if (!action.adds) range.most = std::max(range.most, given.most);
+                if (action.adds && given.least < 0) range.least = -most_rule_number;
+                if (action.adds && given.most > 0) range.most = most_rule_number;
+            }
+        return range;
+    }
+
     void check_needs(const std::vector<RuleClause>& needs, const Word& at) {
         using Key = std::tuple<RuleStep::What, std::int64_t, std::int32_t>;
-        std::map<Key, Range> ranges;
+        std::map<Key, RuleRange> ranges;
         for (const auto& [step, relation, number] : tests_of(needs)) {
             const Key key{step.what, step.number, step.place};
-            Range& range = ranges.try_emplace(key, range_of(step)).first->second;
-            Range alone = range_of(step);
+            RuleRange& range = ranges.try_emplace(key, range_of(step)).first->second;
+            RuleRange alone = range_of(step);
             alone.narrow(relation, number);
             range.narrow(relation, number);
             if (alone.is_empty()) return warn_of_count(step, at);
@@ -197,10 +132,17 @@ class FutileRules {
             return warn("condition-never-holds", at,
                         "this never holds: balls that a pocket or a sink takes are not counted",
                         "count them with a variable: on BALLS pocketed  NAME +1");
-        warn("condition-never-holds", at,
-             step.what == RuleStep::What::count
-                 ? fmt::format("this never holds: such a count is 0 to {}", range_of(step).most)
-                 : std::string("this never holds: such a number is 0 or more"),
+        const RuleRange range = range_of(step);
+        const std::string what =
+            step.what == RuleStep::What::count ? std::string("such a count")
+            : step.what == RuleStep::What::variable
+                ? fmt::format("'{}'", book_.variables[static_cast<std::size_t>(step.number)].name)
+                : std::string("such a number");
+        const std::string values =
+            range.most == most_rule_number     ? fmt::format("{} or more", range.least)
+            : range.least == -most_rule_number ? fmt::format("{} or less", range.most)
+                                               : fmt::format("{} to {}", range.least, range.most);
+        warn("condition-never-holds", at, fmt::format("this never holds: {} is {}", what, values),
              "compare with a number that it can have");
     }
 
@@ -238,6 +180,35 @@ class FutileRules {
                 if (ends_game(other.actions[k]) &&
                     other.actions[k].what != ours.actions[action].what)
                     warn_of_ending(ir_.rules[rule].actions[action], ir_.rules[i].actions[k]);
+        }
+    }
+
+    // Whether another rule of the same event ends the game otherwise, at a bound of the same number
+    // that comes well before this one's: win at 10, lose at 20. Bounds side by side are meant, as
+    // in win at 21, lose at 22.
+    void compare_bounds(std::size_t rule, std::size_t action) {
+        const Rule& ours = book_.rules[rule];
+        const auto far = tests_of(ours.needs);
+        if (far.size() != 1) return;
+        for (std::size_t i = 0; i < book_.rules.size(); ++i) {
+            const Rule& other = book_.rules[i];
+            const auto near = tests_of(other.needs);
+            const bool is_alone = i != rule && near.size() == 1 && other.needs.size() == 1 &&
+                                  other.needs[0].all.size() == 1;
+            if (!is_alone || !is_same_event(ours, other) || near[0].step != far[0].step) continue;
+            RuleRange before;
+            RuleRange behind;
+            before.narrow(near[0].relation, near[0].number);
+            behind.narrow(far[0].relation, far[0].number);
+            const bool is_up = before.most == most_rule_number && behind.least > before.least + 1;
+            if (!is_up || before.least == -most_rule_number) continue;
+            for (std::size_t k = 0; k < other.actions.size(); ++k)
+                if (ends_game(other.actions[k]) &&
+                    other.actions[k].what != ours.actions[action].what)
+                    warn("game-ends-before", ir_.rules[rule].actions[action],
+                         fmt::format("'{}' in line {} comes first, unless the number leaps past it",
+                                     ir_.rules[i].actions[k].text, ir_.rules[i].actions[k].line),
+                         "take it out, or give the other rule a condition more");
         }
     }
 

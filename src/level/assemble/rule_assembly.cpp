@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "level/assemble/futile_rules.h"
+#include "level/assemble/idle_words.h"
 #include "level/statements/rule_actions.h"
 
 namespace carom {
@@ -236,7 +237,9 @@ void RuleAssembly::check() {
     if (!has_game()) return;
     check_game();
     check_events();
-    warn_of_futile_rules(book_, facts(), context_);
+    const RuleFacts known = facts();
+    warn_of_futile_rules(book_, known, context_);
+    warn_of_idle_words(book_, known, context_);
 }
 
 void RuleAssembly::fill_in(Scene& scene, const std::vector<std::uint32_t>& world_zones) {

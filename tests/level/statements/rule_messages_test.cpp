@@ -172,6 +172,23 @@ TEST_CASE("rules that can do nothing are warned of") {
         {"var total\non shot ends if total>3  score 1", "nothing sets", "total +1"},
         {"on shot judged if score>=10  lose", "also ends with 'win' in line 16", "keep one"},
         {"on shot judged if fouls=3  lose, win", "also ends with 'lose'", "keep one"},
+        {"on shot judged if score>=20  lose", "'win' in line 16 comes first", "take it out"},
+        {"on shot judged if score=15  end", "'win' in line 16 comes first", "take it out"},
+        {"on shot ends once  score 1", "'once' does nothing behind 'ends'", "a variable of shot"},
+        {"on red pocketed once  score 1", "'once' does nothing behind", "leave it out"},
+        {"on cue leave trap once  score 1", "'once' does nothing behind", "leave it out"},
+        {"on shot ends  inhand hole", "takes the ball that is placed", "inhand ZONE"},
+        {"on shot ends  respot red hole", "takes the ball that is placed", "respot BALLS ZONE"},
+        {"on shot ends  remove red inside hole", "no ball ever lies", "BALLS inside ZONE"},
+        {"on shot ends if multiball  score 1", "of game pinball", "with a variable"},
+        {"on shot ends  score bonus", "of game pinball", "with a variable"},
+        {"task \"BALL {ball}\"", "of game pinball", "with a variable"},
+        {"task \"{multiplier X|XX}\"", "of game pinball", "with a variable"},
+        {"on shot ends if hits<0  score 1", "'hits' is 0 or more", "that it can have"},
+        {"var made of shot\non red pocketed  made 1\non shot ends if made=2  score 1",
+         "'made' is 0 to 1", "that it can have"},
+        {"var left start=3\non red pocketed  left -1\non shot ends if left>3  score 1",
+         "'left' is 3 or less", "that it can have"},
     };
     for (const Told& told : cases) {
         check_that(told);
@@ -181,30 +198,31 @@ TEST_CASE("rules that can do nothing are warned of") {
 
 TEST_CASE("rules that resemble those without effect are not warned of") {
     for (const std::string_view lines :
-         {"on shot ends if hits>=1 and hits<=1  score 1", "on shot ends if hits=2  score 1",
+         {"on shot ends if hits>=1 and hits<=1  score 1",
+          "on shot ends if hits=2  score 1",
           "on shot ends if hits!=0 unless hits=1  score 1",
           "on shot ends unless hits>1 and hits<1  score 1",
-          "on shot ends if count(red,trap)=1  score 1", "on shot ends if count(ball)=2  score 1",
-          "on ball pocketed hole  score 1", "task \"A\" if hits\ntask \"B\"",
-          "var par start=3\non shot ends if hits>par  score 1", "on shot judged if score>=20  lose",
+          "on shot ends if count(red,trap)=1  score 1",
+          "on shot ends if count(ball)=2  score 1",
+          "on ball pocketed hole  score 1",
+          "task \"A\" if hits\ntask \"B\"",
+          "var par start=3\non shot ends if hits>par  score 1",
+          "on shot judged if score>=11  lose",
+          "on shot judged if score>=20 and fouls  lose",
+          "on shot judged if score>=5 and hurry  lose",
+          "on shot judged if fouls>=20  lose",
+          "on shot judged if score>=20  win",
+          "on cue hit red once  score 1",
+          "on cue rail once  score 1",
+          "on cue enter trap once  score 1",
+          "on shot ends  inhand trap",
+          "var pot\non red pocketed  pot hits-1\non shot ends if pot<0  score 1",
+          "var pot\non red pocketed  pot -hits\non shot ends if pot<0  score 1",
+          "var pot\non red pocketed  pot +score\non shot ends if pot<0  score 1",
           "on shot judged if score>=10  win"}) {
         CAPTURE(lines);
         CHECK(load(lines).diagnostics.empty());
     }
-}
-
-TEST_CASE("a name that is taken is told with what has it, and where") {
-    constexpr Told cases[] = {
-        {"ball red at=500,500 kind=ivory", "taken by the ball in line 9", "of its own"},
-        {"zone red 500,500 500,500 r=9", "taken by the ball in line 9", "choose another"},
-        {"rack triangle reds at=500,350 kind=ivory\nzone reds 500,500 500,500 r=9",
-         "taken by the rack in line 19", "choose another"},
-        {"kind ivory r=9", "taken by the kind in line 4", "of its own"},
-        {"var hurry", "taken by the timer in line 11", "choose another"},
-        {"timer hits 3s", "taken by the variable in line 13", "choose another"},
-    };
-    for (const Told& told : cases)
-        check_that(told);
 }
 
 TEST_CASE("a name that is taken is told with what has it, and where") {
