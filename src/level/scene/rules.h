@@ -37,7 +37,6 @@
 ///     on lanes all if mode=0        mode 1, start hurry, reset lanes
 ///     on ramp enter if mode=1       score 5000*multiplier, mode 2, start hurry
 ///     on hurry ends if mode>0       mode 0, message "TOO LATE"
-///     task "SHOOT THE RAMP  {hurry}" if mode=1
 ///
 /// Order of evaluation. Events come in the order in which the game finds them in a tick (contacts
 /// by time, then zones, pockets, timers, rest). For each event, all conditions of all its rules are
@@ -232,6 +231,7 @@ struct Rule {
     std::uint32_t subject = no_subject;
     std::uint32_t other = no_subject;
     bool once = false;  ///< in a shot, once for each pair of things that meet
+    int line = 0;       ///< of the level's file
     std::vector<RuleClause> needs;
     std::vector<RuleAction> actions;
 };

@@ -29,6 +29,7 @@ class RuleReader {
         RuleWords reader(scope_, context_, rule.names);
         rule.subject = words_[0];
         rule.event = words_[1];
+        rule.rule.line = rule.subject.line;
         std::size_t next = 2;
         if (!read_event(rule, next) || !ends_event(rule, next)) return std::nullopt;
         if (next < words_.size() && words_[next].text == "once") {
