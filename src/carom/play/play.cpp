@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "carom/files/files.h"
 #include "carom/files/guest.h"
 #include "carom/files/level_files.h"
 #include "carom/files/output_clash.h"
@@ -39,12 +38,6 @@ std::optional<int> colors_of(std::optional<ColorChoice> choice) {
     }
 }
 
-PreferencesText preferences_of_user() {
-    const auto path = preferences_path();
-    if (!path) return {};
-    return read_preferences(read_file(*path).text.value_or(""), *path);
-}
-
 /// The title of an asciinema recording: what is played, without folders.
 std::string title_of(const PlayOptions& options) {
     const auto name = [](const std::string& path) {
@@ -66,7 +59,7 @@ int play_here(const PlayOptions& options) {
         print_error(*why);
         return 2;
     }
-    PreferencesText preferences = preferences_of_user();
+    PreferencesText preferences = load_preferences();
     ScreenOptions screen_options;
     screen_options.colors =
         colors_of(options.colors ? options.colors : preferences.preferences.colors);

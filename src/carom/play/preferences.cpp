@@ -161,8 +161,10 @@ Statement statement_of(std::string_view line) {
     return statement;
 }
 
-/// Calls `visit(line)` for each line, without its line end.
+/// Calls `visit(line)` for each line, without its line end and the text's byte order mark.
 void for_each_line(std::string_view text, const std::function<void(std::string_view)>& visit) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         visit(text.substr(0, end));
@@ -263,6 +265,17 @@ std::optional<std::string> preferences_path() {
     const auto folder = configuration_folder();
     if (!folder) return std::nullopt;
     return *folder + "/preferences";
+}
+
+PreferencesText load_preferences() {
+    const auto path = preferences_path();
+    if (!path) return {};
+    const FileText file = read_file(*path);
+    if (file.text) return read_preferences(*file.text, *path);
+    PreferencesText none;
+    std::error_code ignored;
+    if (std::filesystem::exists(*path, ignored)) none.problems.push_back(file.error);
+    return none;
 }
 
 std::optional<std::string> write_preference(std::string_view name, std::string_view value) {

@@ -64,6 +64,9 @@ std::string text_of(const KeyRepeatTimes& times);
 /// the user has no such folder.
 std::optional<std::string> preferences_path();
 
+/// The user's preferences. A file that cannot be read is a problem, and none at all is not.
+PreferencesText load_preferences();
+
 /// Writes one setting into the user's file and returns the error, if any. A file that cannot be
 /// read is left alone. A user without such a folder is an error too.
 std::optional<std::string> write_preference(std::string_view name, std::string_view value);

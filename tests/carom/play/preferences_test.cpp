@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "carom/support/home.h"
 #include "carom/support/process.h"
 
 using namespace carom;
@@ -87,6 +89,23 @@ TEST_CASE("an error is reported with its place, and the rest counts") {
         CHECK(read.problems[0] == row.problem);
         CHECK(read.preferences.trails);
     }
+}
+
+TEST_CASE("a file of preferences that cannot be read is a problem, and none at all is not") {
+    const test::Home home;
+    CHECK(load_preferences().problems.empty());
+    std::filesystem::create_directories(home.preferences());
+    const PreferencesText unread = load_preferences();
+    REQUIRE(unread.problems.size() == 1);
+    CHECK(unread.problems.front() ==
+          "cannot read '" + home.preferences().string() + "': Is a directory");
+}
+
+TEST_CASE("a byte order mark before the first setting is no part of it") {
+    const PreferencesText read = read_preferences("\xef\xbb\xbfmouse = off\r\n", "preferences");
+    CHECK(read.problems.empty());
+    CHECK(read.preferences.mouse == false);
+    CHECK(with_setting("\xef\xbb\xbfmouse = off\n", "mouse", "on") == "mouse = on\n");
 }
 
 TEST_CASE("a setting is changed in place, and everything else stays") {
