@@ -94,6 +94,10 @@ FoundLevel find_level(const std::string& argument) {
         return {.path = std::nullopt,
                 .error = fmt::format("'{}' is a folder, not a level", argument)};
     }
+    if (argument == "-") {
+        return {.path = std::nullopt,
+                .error = "a level on standard input is only for carom check: save it to a file"};
+    }
     std::error_code error;
     if (fs::is_symlink(argument, error)) {
         return {.path = std::nullopt,

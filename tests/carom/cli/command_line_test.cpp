@@ -64,6 +64,7 @@ TEST_CASE("wrong usage gets an error and a suggestion") {
         {{"run", folder.path("none.level")}, "there is no level"},
         {{"play", folder.path("none.level")}, "there is no level"},
         {{"picture", folder.path("none.level")}, "there is no level"},
+        {{"run", "-"}, "a level on standard input is only for carom check"},
         {{"run", folder.path()}, "is a folder, not a level"},
     };
     for (const Row& row : rows) {
