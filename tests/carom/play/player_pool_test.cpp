@@ -157,7 +157,7 @@ TEST_CASE("the left button takes the cue by the stick, and the pull keeps the ai
     person.mouse(release, grip + back * 0.3);
     REQUIRE(person.play().is_shooting);
     const Vec2 strike = person.last_strike();
-    CHECK(length(strike) == doctest::Approx(5.2).epsilon(0.06));  // 0.35 m of room
+    CHECK(length(strike) == doctest::Approx(5.9).epsilon(0.06));  // the window ends close behind
     CHECK(std::abs(cross(strike, aimed)) < 1e-9);
 }
 
