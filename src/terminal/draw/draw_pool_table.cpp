@@ -84,13 +84,19 @@ std::optional<TableAxes> axes_of(const View& view, const Board& board) {
     return axes;
 }
 
+// Faint, but of dots in every row, whichever column of dots the line is in.
+std::uint8_t chalk_strength(const Raster& raster) {
+    return raster.renderer().has_dots() ? 120 : 60;
+}
+
 // A head string, a foot spot and a head spot, faint as chalk.
 void paint_markings(Raster& raster, const View& view, const TableAxes& axes) {
     const Ink chalk = dress_ink(chalk_color, view.options.look);
     const Vec2 head = axes.middle - axes.along * (0.5 * axes.length);
     const Vec2 foot = axes.middle + axes.along * (0.5 * axes.length);
     raster.line(to_raster(view.camera, head - axes.across * axes.width),
-                to_raster(view.camera, head + axes.across * axes.width), chalk, 60);
+                to_raster(view.camera, head + axes.across * axes.width), chalk,
+                chalk_strength(raster));
     for (const Vec2 spot : {head, foot})
         raster.disc(to_raster(view.camera, spot), 0.0, 0.0, {chalk, 255, '\0'});
 }
@@ -100,7 +106,8 @@ void paint_baulk(Raster& raster, const View& view, const TableAxes& axes, const 
     constexpr int steps = 24;
     const Ink chalk = dress_ink(chalk_color, view.options.look);
     const auto line = [&](Vec2 from, Vec2 to) {
-        raster.line(to_raster(view.camera, from), to_raster(view.camera, to), chalk, 60);
+        raster.line(to_raster(view.camera, from), to_raster(view.camera, to), chalk,
+                    chalk_strength(raster));
     };
     line(d.middle - axes.across * axes.width, d.middle + axes.across * axes.width);
     Vec2 from = d.middle + axes.across * d.radius;
@@ -173,14 +180,17 @@ void paint_holes(Raster& raster, const View& view) {
 }
 
 void paint_pool_table(Raster& raster, const View& view, const Board& board) {
-    if (!is_pool_table(view.scene) || !paints_tables(raster, view)) return;
-    if (board.is_empty()) return paint_leather(raster, view);
+    if (!is_pool_table(view.scene)) return;
+    const bool is_painted = paints_tables(raster, view);
+    if (board.is_empty()) return is_painted ? paint_leather(raster, view) : void();
     const std::optional<TableAxes> axes = axes_of(view, board);
     const std::optional<BaulkD>& d = view.scene.pool.d;
+    // The rules speak of these lines, so renderers without pixels draw them too.
     if (axes && d)
         paint_baulk(raster, view, *axes, *d);
     else if (axes && !view.scene.pool.racks.empty())
         paint_markings(raster, view, *axes);
+    if (!is_painted) return;
     if (axes && !d) paint_diamonds(raster, view, board, *axes);
     paint_leather(raster, view);
 }

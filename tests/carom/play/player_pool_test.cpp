@@ -77,6 +77,28 @@ TEST_CASE("the rail of a table begins with a row of cells, in play and in a prev
     check();
 }
 
+TEST_CASE("the line that the cue ball lies behind is drawn in characters and dots too") {
+    for (const char* level : {"eight-ball", "snooker"})
+        for (const Renderer* renderer : {&ascii_renderer(), &braille_renderer()})
+            for (const int columns : {80, 81, 100, 120}) {
+                CAPTURE(level);
+                CAPTURE(renderer->name);
+                CAPTURE(columns);
+                test::PersonAtWindow person(session_of(level), columns, 24);
+                ViewOptions view = person.player.view();
+                view.renderer = renderer;
+                view.look.utf8 = true;
+                person.player.set_view(view);
+                person.look();
+                const World& world = person.world();
+                const CellPoint cue = to_cells(person.player.camera(), world.balls().position[0]);
+                int cells = 0;
+                for (int row = 3; row < 18; ++row)
+                    cells += person.window.at(static_cast<int>(cue.column), row).glyph != U' ';
+                CHECK(cells >= 12);
+            }
+}
+
 TEST_CASE("a break by keys: enter shoots, and the referee reports the outcome") {
     Person person("eight-ball");
     CHECK(person.sees("player 1 breaks"));
