@@ -111,12 +111,16 @@ constexpr std::size_t most_lit_balls = 250;
 // The least diameter, in pixels. On smaller balls that move, a highlight costs as many bytes as the
 // rest of the ball. The few balls of pool and pinball have one from three pixels on.
 constexpr double least_lit = 5.0;
+// Of balls of this diameter, in pixels, a window never holds many, however many small ones there
+// are.
+constexpr double always_lit = 10.0;
 
 bool is_lit(const View& view, std::size_t ball) {
-    if (!view.options.look.has_shades() || view.world.balls().size() > most_lit_balls) return false;
-    const double diameter = 2.0 * view.world.balls().radius[ball] * view.camera.columns_per_length;
-    return view.annotations.pool || view.annotations.table ||
-           diameter * renderer_in_force(view.options).across >= least_lit;
+    if (!view.options.look.has_shades()) return false;
+    const double diameter = 2.0 * view.world.balls().radius[ball] * view.camera.columns_per_length *
+                            renderer_in_force(view.options).across;
+    if (view.world.balls().size() > most_lit_balls) return diameter >= always_lit;
+    return view.annotations.pool || view.annotations.table || diameter >= least_lit;
 }
 
 BallPaint ball_paint(const View& view, std::size_t ball) {

@@ -1,16 +1,20 @@
 #include "terminal/draw/draw.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "level/load.h"
 
 using namespace carom;
 
@@ -688,4 +692,24 @@ TEST_CASE("a cradle hangs from a bar by strings, which go with their balls") {
     CHECK(drawing.canvas.at(17, 4).glyph == U' ');
     CHECK(drawing.canvas.at(19, 4).glyph == U' ');
     CHECK(drawing.canvas.at(21, 4).glyph != U' ');
+}
+
+TEST_CASE("a large ball is shaded as a sphere among many small ones") {
+    std::string level = "carom 1 \"t\"\nworld 0,0 100,60\nball big at=50,30 r=15\n";
+    for (int i = 0; i < 300; ++i)
+        level += fmt::format("ball at={},{} r=0.2\n", 1 + i % 90, 1 + i / 90 * 2);
+    const LoadResult loaded = load_level(level, "test.level");
+    REQUIRE(loaded.scene);
+    Canvas canvas(100, 30);
+    ViewOptions options;
+    options.look.colors = direct_colors;
+    options.renderer = &half_block_renderer();
+    ViewMemory memory;
+    const Camera camera = fit_camera(loaded.scene->view, {0, 0, 100, 30}, 2.0);
+    draw_world(canvas, camera, *loaded.scene, loaded.scene->world, {}, {}, options, memory);
+    std::set<Color> colors;
+    for (int column = 40; column < 60; ++column)
+        for (int row = 11; row < 19; ++row)
+            colors.insert(canvas.at(column, row).foreground);
+    CHECK(colors.size() >= 3);
 }
