@@ -177,7 +177,9 @@ int explain(const ExplainOptions& options) {
         text += (text.empty() ? "in rules (on, task, goal):\n" : "\nin rules (on, task, goal):\n") +
                 of_rules;
     if (text.empty()) {
-        print_error(fmt::format("there is no statement '{}'{}", wanted, suggestion(wanted, names)));
+        const std::string meant = suggestion(wanted, names);
+        print_error(fmt::format("there is no statement '{}'{}", wanted,
+                                meant.empty() ? "; `carom explain` prints them all" : meant));
         return 2;
     }
     return print_out(text) ? 0 : 2;

@@ -52,6 +52,8 @@ TEST_CASE("explain suggests a statement for a mistyped one") {
     const Finished mistyped = run_carom({"explain", "bumpr"});
     CHECK(mistyped.exit_code == 2);
     CHECK(has(mistyped.err, "there is no statement 'bumpr'; did you mean 'bumper'?"));
+    CHECK(has(run_carom({"explain", "xyzzy"}).err,
+              "there is no statement 'xyzzy'; `carom explain` prints them all"));
 }
 
 TEST_CASE("new writes a level that loads, copies another, and leaves what is there") {
