@@ -28,7 +28,7 @@ constexpr std::string_view first_level =
 int new_level(const NewOptions& options) {
     std::error_code missing;
     if (std::filesystem::exists(options.file, missing)) {
-        print_error(fmt::format("'{}' exists already", options.file));
+        print_error(fmt::format("'{}' exists already: name another file", options.file));
         return 2;
     }
     std::string text(first_level);
@@ -41,7 +41,8 @@ int new_level(const NewOptions& options) {
         }
         text = std::move(*content.text);
     }
-    if (const auto error = write_file_atomically(options.file, text)) {
+    if (const auto error =
+            write_file_atomically(options.file, text, Access::everybody, Existing::kept)) {
         print_error(*error);
         return 2;
     }

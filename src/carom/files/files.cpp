@@ -123,7 +123,8 @@ FileText read_file(const std::string& path, std::size_t most) {
     return {.text = std::move(text), .error = {}};
 }
 
-OutputFile::OutputFile(std::string path, Access access) : path_(std::move(path)), access_(access) {
+OutputFile::OutputFile(std::string path, Access access, Existing existing)
+    : path_(std::move(path)), access_(access), existing_(existing) {
     open();
 }
 
@@ -133,6 +134,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       buffer_(std::exchange(other.buffer_, {})),
       error_(std::move(other.error_)),
       access_(other.access_),
+      existing_(other.existing_),
       mode_(other.mode_),
       descriptor_(std::exchange(other.descriptor_, -1)),
       is_standard_output_(other.is_standard_output_) {}
@@ -151,10 +153,8 @@ void OutputFile::open() {
     struct stat status {};
     const bool exists = ::stat(path_.c_str(), &status) == 0;
     if (!exists && errno == ENAMETOOLONG) return fail();
-    if (exists && S_ISDIR(status.st_mode)) {
-        errno = EISDIR;
-        return fail();
-    }
+    if (exists && existing_ == Existing::kept) return fail(EEXIST);
+    if (exists && S_ISDIR(status.st_mode)) return fail(EISDIR);
     if (exists && !S_ISREG(status.st_mode)) {
         descriptor_ = open_again_on_signal(path_.c_str(), O_WRONLY);
         if (descriptor_ < 0) fail();
@@ -198,12 +198,25 @@ void OutputFile::flush() {
     buffer_.clear();
 }
 
+// Gives the temporary file its name. A link replaces nothing; file systems without links get a
+// rename.
+bool OutputFile::take_name() {
+    if (existing_ == Existing::kept) {
+        if (::link(temporary_.c_str(), path_.c_str()) == 0) {
+            ::unlink(temporary_.c_str());
+            return true;
+        }
+        if (errno == EEXIST) return false;
+    }
+    return ::rename(temporary_.c_str(), path_.c_str()) == 0;
+}
+
 void OutputFile::commit() {
     flush();
     if (is_closed() || temporary_.empty()) return;
     if (::fchmod(descriptor_, mode_) != 0) return fail();
     if (::fsync(descriptor_) != 0 && errno != EINVAL) return fail();
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) return fail();
+    if (!take_name()) return fail();
     temporary_.clear();
     discard();
     // The new name reaches the disk when its folder is synced; a failure to sync is ignored.
@@ -214,9 +227,9 @@ void OutputFile::commit() {
     }
 }
 
-void OutputFile::fail() {
+void OutputFile::fail(int error) {
     const std::string name = is_standard_output_ ? "standard output" : fmt::format("'{}'", path_);
-    error_ = fmt::format("cannot write {}: {}", name, std::strerror(errno));
+    error_ = fmt::format("cannot write {}: {}", name, std::strerror(error));
     discard();
 }
 
@@ -228,8 +241,8 @@ void OutputFile::discard() {
 }
 
 std::optional<std::string> write_file_atomically(const std::string& path, std::string_view text,
-                                                 Access access) {
-    OutputFile file(path, access);
+                                                 Access access, Existing existing) {
+    OutputFile file(path, access, existing);
     file.write(text);
     file.commit();
     if (file.error().empty()) return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -26,6 +27,12 @@ enum class Access : std::uint8_t {
     owner       ///< nobody else, whatever the umask: a player's scores, preferences and games
 };
 
+/// What becomes of a file that has the name already.
+enum class Existing : std::uint8_t {
+    replaced,
+    kept  ///< an error, also if it has appeared since the OutputFile was opened
+};
+
 /// A file that appears under its name only when it is complete. Until `commit`, the text goes into
 /// a temporary file beside it, and an existing file stays as it was. Anything but a plain file (a
 /// pipe, a device) is written directly, and so is "-", standard output.
@@ -39,7 +46,8 @@ class OutputFile {
   public:
     /// Opens the file; see `error` for success. An existing file keeps its permissions, except that
     /// `Access::owner` takes those of others away.
-    explicit OutputFile(std::string path, Access access = Access::everybody);
+    explicit OutputFile(std::string path, Access access = Access::everybody,
+                        Existing existing = Existing::replaced);
     OutputFile(OutputFile&& other) noexcept;
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile();
@@ -56,8 +64,9 @@ class OutputFile {
 
   private:
     void open();
+    bool take_name();
     void flush();
-    void fail();
+    void fail(int error = errno);
     void discard();
 
     std::string path_;
@@ -65,6 +74,7 @@ class OutputFile {
     std::string buffer_;
     std::string error_;
     Access access_ = Access::everybody;
+    Existing existing_ = Existing::replaced;
     unsigned mode_ = 0;  ///< permissions of the finished file
     int descriptor_ = -1;
     bool is_standard_output_ = false;
@@ -72,7 +82,8 @@ class OutputFile {
 
 /// Writes `text` as OutputFile does. Returns the error, if any.
 std::optional<std::string> write_file_atomically(const std::string& path, std::string_view text,
-                                                 Access access = Access::everybody);
+                                                 Access access = Access::everybody,
+                                                 Existing existing = Existing::replaced);
 
 /// A lock between processes: an empty file, which its holder removes. The lock is gone when its
 /// process has ended, however that ended, though the file may then stay until the next lock.

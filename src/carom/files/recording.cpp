@@ -80,7 +80,7 @@ std::optional<std::string> Recording::write(const Session& session, const std::s
                                             std::span<const std::string> overrides) const {
     Replay replay = record(session, name_in_recording(level), overrides);
     replay.program = version();
-    return write_file_atomically(path_, replay_text(replay));
+    return write_file_atomically(path_, replay_text(replay), Access::everybody, existing_);
 }
 
 }  // namespace carom

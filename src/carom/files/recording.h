@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "carom/files/files.h"
 #include "game/replay/replay_text.h"
 #include "game/session/session.h"
 #include "level/scene/scene.h"
@@ -28,10 +29,11 @@ bool is_recording(const std::string& path);
 std::string rendered(const std::string& path, std::string_view text, const ReplayError& error);
 
 /// A recording in progress. The file appears under its name only when it is complete; until then an
-/// existing file stays.
+/// existing file stays, and for good if it is to be kept (Existing::kept).
 class Recording {
   public:
-    explicit Recording(std::string path) : path_(std::move(path)) {}
+    explicit Recording(std::string path, Existing existing = Existing::replaced)
+        : path_(std::move(path)), existing_(existing) {}
 
     const std::string& path() const { return path_; }
     /// The reason why nothing can be written there, for the player to learn before the game.
@@ -42,6 +44,7 @@ class Recording {
 
   private:
     std::string path_;
+    Existing existing_;
 };
 
 /// The name of a level in a recording: its file name only, since folders are private to the player.

@@ -165,7 +165,8 @@ void RunningGame::keep_recording(const std::string& name, std::size_t most) {
     if (std::filesystem::exists(path, error))
         return player.complain("There is a recording " + name + ". Choose another name.");
     if (const auto problem = make_folder(folder)) return player.complain(*problem);
-    if (const auto problem = Recording(path).write(player.session(), source.path, source.overrides))
+    const Recording recording(path, Existing::kept);
+    if (const auto problem = recording.write(player.session(), source.path, source.overrides))
         return player.complain(*problem);
     if (most != unlimited) remove_oldest(folder, ".replay", most);
     player.say("Kept as " + name + ". Watch it from the menu, in the group Yours.");
@@ -186,7 +187,8 @@ void RunningGame::save_level(const SavePrompt::Answer& answer, std::size_t most)
     if (std::filesystem::exists(path, error))
         return player.complain(path + " exists already. Choose another name.");
     if (const auto problem =
-            write_file_atomically(path, amended.text ? *amended.text : level_text(scene, world)))
+            write_file_atomically(path, amended.text ? *amended.text : level_text(scene, world),
+                                  Access::everybody, Existing::kept))
         return player.complain(*problem);
     std::string done = "Saved as " + path + ". Play it from the menu, in the group Yours.";
     if (!amended.text) done = fmt::format("Saved flat as {}, since {}.", path, amended.obstacle);

@@ -126,6 +126,24 @@ TEST_CASE("a file whose name is as long as a name may be is written, a longer on
     CHECK(folder.names().size() == 5);
 }
 
+TEST_CASE("a file that is to be kept is not replaced, also if two are written at once") {
+    const TemporaryFolder folder;
+    const std::string path = folder.path("out");
+    {
+        OutputFile first(path, Access::everybody, Existing::kept);
+        OutputFile second(path, Access::everybody, Existing::kept);
+        first.write("first");
+        second.write("second");
+        first.commit();
+        second.commit();
+        CHECK(first.error().empty());
+        CHECK(second.error() == "cannot write '" + path + "': File exists");
+    }
+    CHECK(write_file_atomically(path, "third", Access::everybody, Existing::kept));
+    CHECK(content(path) == "first");
+    CHECK(folder.names() == std::vector<std::string>{"out"});
+}
+
 TEST_CASE("only its owner may read a player's file, whatever the umask, and a temporary file") {
     const TemporaryFolder folder;
     const mode_t before = ::umask(0);
