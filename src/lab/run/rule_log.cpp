@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -72,21 +73,28 @@ bool only_its_event_changes(const Rule& rule, std::uint32_t variable, const Rule
     return is_changed;
 }
 
-// Whether a condition of the rule compares the variable with a number, is not met by the old value,
-// and is by the new one.
-bool waits_for(const Rule& rule, std::uint32_t variable, std::int64_t old, std::int64_t now) {
+bool sets(const Rule& rule, std::uint32_t variable) {
+    return std::ranges::any_of(rule.actions, [&](const RuleAction& action) {
+        return action.what == RuleAction::What::set && action.index == variable;
+    });
+}
+
+// Whether a condition of the rule compares the variable with a number, and holds for the old value
+// or the new one alone. A rule that ends its own condition means it.
+bool saw_another(const Rule& rule, std::uint32_t variable, std::int64_t old, std::int64_t now) {
     for (const RuleClause& clause : rule.needs) {
         for (const RuleCondition& condition : clause.all) {
             const auto is = [](const RuleValue& value, RuleStep::What what) {
                 return value.size() == 1 && value[0].what == what;
             };
-            if (clause.is_not || condition.what != RuleCondition::What::compare ||
+            if (condition.what != RuleCondition::What::compare ||
                 !is(condition.left, RuleStep::What::variable) ||
                 !is(condition.right, RuleStep::What::number) ||
                 condition.left[0].number != std::int64_t{variable})
                 continue;
             const std::int64_t bound = condition.right[0].number;
-            if (!holds(old, condition.relation, bound) && holds(now, condition.relation, bound))
+            const bool held = holds(old, condition.relation, bound);
+            if (held != holds(now, condition.relation, bound) && !(held && sets(rule, variable)))
                 return true;
         }
     }
@@ -100,7 +108,7 @@ std::string tested_too_early(const RuleBook& book, std::string_view name, std::u
     std::string text;
     if (now == book.variables[variable].start) return text;
     for (const Rule& rule : book.rules)
-        if (waits_for(rule, variable, old, now) && only_its_event_changes(rule, variable, book))
+        if (saw_another(rule, variable, old, now) && only_its_event_changes(rule, variable, book))
             text += fmt::format("; line {} tested {} at {}", rule.line, name, old);
     return text;
 }

@@ -20,8 +20,9 @@ TEST_CASE("the log of the rules has what changed, when, and what was said") {
                              "var rails of shot\n"
                              "var tries of player\n"
                              "on shot begins  tries +1\n"
-                             "on cue rail  rails +1\n"
+                             "on cue rail if rails<1  rails +1\n"
                              "on cue rail if rails=1  score 0\n"
+                             "on cue rail unless rails  score 0\n"
                              "on shot ends  score rails, message \"{rails rail|rails}\", turn\n"
                              "on shot judged if shots=3  end\n",
                              "log.level", {})
@@ -45,6 +46,7 @@ TEST_CASE("the log of the rules has what changed, when, and what was said") {
     run();
     CAPTURE(text);
     CHECK(text.starts_with("tick 2, 0.017 s: tries1 1, shots 1\n"));
-    CHECK(text.find(" s: rails 1; line 12 tested rails at 0\n") != std::string::npos);
+    CHECK(text.find(" s: rails 1; line 12 tested rails at 0; line 13 tested rails at 0\n") !=
+          std::string::npos);
     CHECK(text.find(" s: player 2, score1 1, \"1 rail\"\n") != std::string::npos);
 }
