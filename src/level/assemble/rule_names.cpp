@@ -152,6 +152,10 @@ bool RuleAssembly::has_error(std::string_view name) const {
 std::optional<std::uint32_t> RuleAssembly::balls_named(const Word& name) {
     if (const auto found = find_balls(name.text)) return found;
     if (has_error(name.text) || is_ball(name.text)) return std::nullopt;
+    if (find_place(name.text))
+        return refuse("unknown-ball", name,
+                      fmt::format("'{}' names a place, where balls are wanted", name.text),
+                      fmt::format("to count the balls in a zone, write count(ball,{})", name.text));
     refuse("unknown-ball", name, fmt::format("there are no balls '{}'", name.text),
            did_you_mean(name.text, known_names(),
                         "write the name of a ball, a rack or a kind; ball, cue or opponent"));
@@ -163,12 +167,12 @@ std::optional<std::uint32_t> RuleAssembly::place_named(const Word& name, bool is
     const bool fits = found && (is_edge ? !places_[*found].capsules.empty() : has_zones(*found));
     if (fits) return found;
     if (has_error(name.text) || (is_edge && is_ball(name.text))) return std::nullopt;
-    constexpr std::array edges{"wall", "walls", "edge", "edges", "cushion", "cushions", "rails"};
+    constexpr std::array edges{"wall",    "walls",    "edge", "edges",
+                               "cushion", "cushions", "rail", "rails"};
     if (is_edge && std::ranges::count(edges, name.text) > 0) {
-        refuse(
-            "unknown-place", name, fmt::format("no edge is called '{}'", name.text),
-            fmt::format("for any edge, write rail, as in: on cue rail; or name one: edge name={}",
-                        name.text));
+        refuse("unknown-place", name, fmt::format("no edge is called '{}'", name.text),
+               "for any edge, write rail in place of hit, as in: on cue rail; or name it: edge "
+               "name=top");
         return std::nullopt;
     }
     // A ball where a place is wanted must not be suggested again.

@@ -134,12 +134,12 @@ class Reading {
         std::vector<std::string_view> known;
         for (const KeyRule& key : statement().keys)
             known.push_back(key.name);
-        mistake(
-            "unknown-key", name.span(),
-            fmt::format("{} has no key '{}'", statement().name, name.text),
-            did_you_mean(name.text, known,
-                         known.empty() ? fmt::format("write it as: {}", statement().usage)
-                                       : fmt::format("its keys are: {}", fmt::join(known, " "))));
+        mistake("unknown-key", name.span(),
+                fmt::format("{} has no key '{}'", statement().name, name.text),
+                did_you_mean(name.text, known,
+                             known.size() < 2
+                                 ? fmt::format("write it as: {}", statement().usage)
+                                 : fmt::format("its keys are: {}", fmt::join(known, " "))));
     }
 
     void read_value(const KeyRule& key, const Word& value) {

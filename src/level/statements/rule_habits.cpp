@@ -33,6 +33,11 @@ bool is_among(std::string_view word, std::initializer_list<std::string_view> wor
     return std::ranges::find(words, word) != words.end();
 }
 
+// A preposition or an article, which no rule has.
+bool is_filler(std::string_view word) {
+    return is_among(word, {"in", "into", "at", "on", "by", "with", "from", "the", "a", "to"});
+}
+
 // `(made>1)`, or the first word of `(made and fell)`: a bracket that closes behind a sign, if at
 // all. `(a+b)*2>3` is a value.
 bool groups_conditions(std::string_view word) {
@@ -127,6 +132,9 @@ std::optional<RuleAdvice> advice_on_condition(std::string_view word) {
     if (word == "of" || word == "for")
         return RuleAdvice{fmt::format("there is no '{}' in conditions", word),
                           "score, fouls and variables of player are of whose turn it is: player=1"};
+    if (is_among(word, {"in", "inside", "outside", "on"}))
+        return RuleAdvice{fmt::format("there is no '{}' in conditions", word),
+                          "to ask how many lie in a zone: if count(red,tray)>0"};
     if (word == "is") return RuleAdvice{"there is no 'is'", "compare with a sign: player=1"};
     if (word == "count" || word == "lit")
         return RuleAdvice{fmt::format("{} needs brackets", word),
@@ -167,14 +175,14 @@ std::optional<RuleAdvice> advice_on_action(std::span<const Word> words, const Co
             are_two ? "an event names one thing: write the line twice, once for each"
                     : "write an action: NAME +1, respot NAME, remove NAME"};
     }
+    if (is_filler(word))
+        return RuleAdvice{fmt::format("rules do without '{}'", word),
+                          "leave it out, as in: on red pocketed corner  score 1"};
     if (const auto advice = advice_on_condition(word)) return advice;
     if (word == "and") return RuleAdvice{"'and' joins conditions", "separate actions with a comma"};
     if (begins_clause(word))
         return RuleAdvice{"the conditions of a rule stand together",
                           "write them before the first action"};
-    if (is_among(word, {"in", "into", "at", "on", "by", "with", "from", "the", "a", "to"}))
-        return RuleAdvice{fmt::format("rules do without '{}'", word),
-                          "leave it out, as in: on red pocketed corner  score 1"};
     if (is_comparison(word))
         return RuleAdvice{fmt::format("'{}' is a condition", word),
                           "write if before it; or and, behind another condition"};
@@ -234,6 +242,11 @@ RuleAdvice advice_on_extra_word(std::span<const Word> words, const ActionShape& 
     if (word == "and")
         return {"a comma separates actions", "write it in place of 'and': score 1, turn"};
     if (auto advice = advice_on_player(shape, words[1], words[extra])) return std::move(*advice);
+    const auto filler = std::ranges::find_if(words.subspan(1, extra),
+                                             [](const Word& each) { return is_filler(each.text); });
+    if (filler != words.subspan(1, extra).end())
+        return {fmt::format("rules do without '{}'", filler->text),
+                fmt::format("leave it out: {}", shape.sample)};
     if (auto advice = advice_on_condition(word)) return std::move(*advice);
     if (extra == 2 && is_among(words[1].text, {"=", "+=", "-="})) {
         std::string value;  // what follows, without the blanks in it
