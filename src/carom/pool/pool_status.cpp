@@ -37,7 +37,8 @@ void add_pool_title(const Session& session, const PlayerNames& names,
         if (!task.empty()) info.title += (info.title.empty() ? "" : "   ") + task;
         return;
     }
-    info.title = turn_text(*pool, names) + (time_left ? ", " + clock_text(*time_left) : "");
+    info.title =
+        turn_text(session.scene(), *pool, names) + (time_left ? ", " + clock_text(*time_left) : "");
 }
 
 std::optional<std::string> ShotAnnouncer::tell(const Session& session, const PlayerNames& names) {

@@ -28,10 +28,12 @@ std::string win_text(const PoolPlay& play, const PlayerNames& names) {
     return does(name_of(names, *play.rules.winner), "wins") + " the frame";
 }
 
-// The player's target: ", solids, 5 left", ", on the 8", ", on the 3".
-std::string target_text(const PoolState& rules) {
+// The player's target: ", solids, 5 left", ", on the 8", ", 3 to go in the top right".
+std::string target_text(const Scene& scene, const PoolState& rules) {
     if (rules.phase == PoolPhase::breaking) return "";
-    return ", " + rules.referee->target_text(rules);
+    const auto pocket = rules.referee->pocket_of(rules, rules.player);
+    return ", " + rules.referee->target_text(rules) +
+           (pocket ? " in the " + pocket_name(scene, *pocket) : "");
 }
 
 std::string task_text(const PoolPlay& play) {
@@ -140,7 +142,7 @@ std::string call_text(const Scene& scene, const PoolCall& call) {
     }
 }
 
-std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
+std::string turn_text(const Scene& scene, const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
     const std::string points = rules.referee->score_text(rules);
     // The frames, once there are any.
@@ -156,7 +158,7 @@ std::string turn_text(const PoolPlay& play, const PlayerNames& names) {
     const std::string name = name_of(names, rules.player);
     if (rules.phase == PoolPhase::breaking && !play.is_shooting)
         return frames + does(name, "breaks") + ": " + task_text(play) + warning;
-    return frames + name + target_text(rules) + ": " + task_text(play) + warning;
+    return frames + name + target_text(scene, rules) + ": " + task_text(play) + warning;
 }
 
 std::string clock_text(double seconds) {
@@ -185,14 +187,17 @@ std::string why_text(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
     const auto shooter = static_cast<std::size_t>(*play.shooter);
     const std::string_view reason = rules.referee->reason_text(rules, play.shot, *play.shooter);
-    if (play.last_foul == PoolFoul::none) return reason.empty() ? "" : fmt::format("{}. ", reason);
+    const bool is_new_rack = rules.phase == PoolPhase::breaking;
+    if (play.last_foul == PoolFoul::none)
+        return reason.empty() || is_new_rack ? "" : fmt::format("{}. ", reason);
     std::string text =
         play.last_penalty == 0 ? "Foul: " : fmt::format("Foul, {}: ", play.last_penalty);
     text += fmt::format("{}. ", foul_text(play.last_foul));
     const int most = rules.options.fouls_that_lose;
     if (rules.winner && most > 0 && rules.fouls[shooter] >= most)
         text += fmt::format("{} fouls in a row. ", most);
-    if (rules.phase == PoolPhase::choosing && !reason.empty()) text += fmt::format("{}. ", reason);
+    if ((rules.phase == PoolPhase::choosing || is_new_rack) && !reason.empty())
+        text += fmt::format("{}. ", reason);
     PoolState warned = rules;
     warned.player = *play.shooter;
     if (is_warned(warned))
@@ -213,7 +218,8 @@ std::string outcome_parts(const PoolPlay& play, const PlayerNames& names) {
     if (rules.phase == PoolPhase::choosing) return fallen + foul + does(next, "chooses");
     if (rules.in_hand != CueInHand::no) return fallen + foul + next + ": ball in hand";
     if (rules.player == *play.shooter) return fallen + does(next, "continues");
-    return fallen + foul + does(next, "shoots");
+    const std::string missed = fallen.empty() && foul.empty() ? "no ball fell. " : "";
+    return missed + fallen + foul + does(next, "shoots");
 }
 
 }  // namespace

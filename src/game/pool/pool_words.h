@@ -24,7 +24,7 @@ std::string call_text(const Scene& scene, const PoolCall& call);
 
 /// Whose turn it is, and the task: "1:0 player 1, solids, 5 left: ball in hand"; with the points of
 /// the frame in brackets: "1:0 (34:21) player 1, on a red, 67 left: to shoot".
-std::string turn_text(const PoolPlay& play, const PlayerNames& names);
+std::string turn_text(const Scene& scene, const PoolPlay& play, const PlayerNames& names);
 
 /// The time left for a shot, rounded up: "23 s".
 std::string clock_text(double seconds);

@@ -112,9 +112,7 @@ class OnePocket final : public Referee {
 
     std::string target_text(const PoolState& state) const override {
         const int has = state.score[static_cast<std::size_t>(state.player)];
-        return fmt::format(
-            "{} to go in the {}", balls_to_win - has,
-            is_right(state, state.player) ? "right foot pocket" : "left foot pocket");
+        return fmt::format("{} to go", balls_to_win - has);
     }
 
     std::string score_text(const PoolState& state) const override {

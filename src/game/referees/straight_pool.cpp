@@ -119,7 +119,8 @@ class StraightPool final : public Referee {
 
     std::string_view reason_text(const PoolState& state, const PoolShot& shot,
                                  int shooter) const override {
-        return uncalled_text(state, shot, shooter);
+        const bool breaks_again = state.phase == PoolPhase::breaking && state.player == shooter;
+        return breaks_again ? "3 fouls in a row" : uncalled_text(state, shot, shooter);
     }
 
     double lead(const PoolState& state) const override {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "game/referees/referee.h"
+#include "game/support/shipped.h"
 
 using namespace carom;
 
@@ -113,6 +114,23 @@ TEST_CASE("a ball that falls without being called passes the turn, and the messa
     CHECK(told(after(state, lucky, other)) == "Pocketed: 4. Not a called pot. Player 2 shoots.");
 }
 
+TEST_CASE("a turn that passes without a foul says that no ball fell") {
+    const PoolShot miss{.first_hit = 1, .rail_after_hit = true};
+    CHECK(told(after(solids_left({1, 4}), miss)) == "No ball fell. Player 2 shoots.");
+}
+
+TEST_CASE("the third foul in a row of straight pool is told as such") {
+    PoolState state = rack("straightpool");
+    state.phase = PoolPhase::playing;
+    state.in_hand = CueInHand::no;
+    state.fouls = {1, 0};
+    CHECK(told(after(state, {})) ==
+          "Foul, 1: no ball was hit. Player 1: the next foul costs 16. Player 2 shoots.");
+    state.fouls = {2, 0};
+    CHECK(told(after(state, {})) ==
+          "Foul, 16: no ball was hit. 3 fouls in a row. Player 1 breaks again.");
+}
+
 TEST_CASE("a frame lost by fouls in a row says how many they were") {
     PoolState state = rack("nineball");
     state.phase = PoolPhase::playing;
@@ -123,4 +141,18 @@ TEST_CASE("a frame lost by fouls in a row says how many they were") {
     state.fouls = {2, 0};
     CHECK(told(after(state, {})) ==
           "Foul: no ball was hit. 3 fouls in a row. Player 2 wins the frame.");
+}
+
+TEST_CASE("one-pocket names the player's pocket as a shot names it") {
+    const Scene scene = test::shipped_level("one-pocket");
+    PoolPlay play = *begin_pool(scene);
+    play.rules.phase = PoolPhase::playing;
+    play.rules.in_hand = CueInHand::no;
+    const auto turn_of = [&](int player) {
+        play.rules.player = player;
+        return turn_text(scene, play, {"you", "carom"});
+    };
+    // The breaker has the pocket on the right, as seen from the head of the table.
+    CHECK(turn_of(play.rules.breaker) == "(0:0) you, 8 to go in the bottom right: to shoot");
+    CHECK(turn_of(1 - play.rules.breaker) == "(0:0) carom, 8 to go in the top right: to shoot");
 }
