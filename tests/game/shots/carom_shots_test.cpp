@@ -141,10 +141,10 @@ TEST_CASE("three-cushion: a shot of the diamond system scores by three cushions 
     CHECK(story_of(game, struck(game, way, 4.0, -0.3)) == "ccc12");
     CHECK(game.score(0) == 1);
     CHECK(game.state().rules.player == 0);
-    CHECK(game.state().message == "3 cushions: a point");
+    CHECK(game.state().message == "3 cushions: a point.");
 }
 
-// From the same place, by the short way off one cushion: both balls are met, and it is no point.
+// From the same place, by the short way off one cushion: both balls are hit, and it is no point.
 TEST_CASE("three-cushion: both balls by fewer cushions is no point, and says why") {
     ShotsGame game(placed({in_diamonds(2.0, 2.0), in_diamonds(5.0, 2.02), in_diamonds(7.0, 2.0)}));
     bool is_met = false;
@@ -152,8 +152,8 @@ TEST_CASE("three-cushion: both balls by fewer cushions is no point, and says why
         const double angle = 0.1 * degrees * 3.14159265358979323846 / 180.0;
         const command::Strike strike = struck(game, {std::cos(angle), std::sin(angle)}, 5.0, 0.0);
         const ShotsState after = game.after(strike);
-        is_met = after.message.starts_with("no point: ") &&
-                 after.message.ends_with(" before the second ball");
+        is_met = after.message.starts_with("No point: ") &&
+                 after.message.ends_with(" before the second ball.");
         if (is_met) CHECK(after.players[0].score == 0);
     }
     CHECK(is_met);

@@ -65,7 +65,7 @@ TEST_CASE("drills: what is asked can be done, five times give three stars, a mis
     const char* const up = "Missed: the ball stays up.";
     for (const Drill& drill :
          {Drill{"drill-stop", "object", up}, Drill{"drill-draw", "object", up},
-          Drill{"drill-half-ball", "object", "Missed: the first ball was not met."},
+          Drill{"drill-half-ball", "object", "Missed: the first ball was not hit."},
           Drill{"drill-rail", "object", up}}) {
         CAPTURE(drill.level);
         const Scene scene = shipped_level(drill.level);

@@ -157,6 +157,10 @@ TEST_CASE("bumper pool: the marked ball goes first, and a ball of the other side
     REQUIRE(mine.size() == 5);
     CHECK(game.session.apply(command::Strike{named(scene, "whiteace"), {1.0, 0.0}}));
 
+    game.shoot(command::Strike{mine[1], {0.1, 0.0}});
+    CHECK(game.state().message == "No ball fell.");
+    REQUIRE(game.session.undo());
+
     const auto foul = search(game, mine[1], 0.8, [](const ShotsState& state) {
         return says(state, "the marked ball goes first");
     });

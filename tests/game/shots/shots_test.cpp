@@ -221,7 +221,7 @@ TEST_CASE("three-cushion: shots score as their contacts say, and say why not") {
         const bool has_point = state.players[0].score == 1;
         CHECK(state.rules.player == (has_point ? 0u : 1u));
         CHECK((state.message.find("a point") != std::string::npos) == has_point);
-        CHECK((state.message.find("no point: ") != std::string::npos) == !has_point);
+        CHECK((state.message.find("No point: ") != std::string::npos) == !has_point);
         points += has_point;
         misses += !has_point;
     }
