@@ -180,6 +180,7 @@ void Board::flood(const Scene& scene) {
     const auto rail =
         static_cast<float>(rail_around_jaws(scene, grid, far, widths.rail / grid.cell));
     const auto cushion = static_cast<float>(widths.cushion / grid.cell);
+    const CellMask jaws = jaws_of(scene, grid, bed);
     const bool has_plastics = !scene.table.is_empty();
     const CellMask walls =
         has_plastics ? walls_of(scene, grid, 0.0, false) : CellMask(grid.size(), 0);
@@ -191,7 +192,8 @@ void Board::flood(const Scene& scene) {
         for (int column = 0; column < grid.columns; ++column) {
             const std::size_t i = grid.index(column, row);
             Ground& ground = cells_[i];
-            if (bed[i] != 0)
+            // Wood covers the jaws of pockets from the cushions' depth on.
+            if (bed[i] != 0 && !(jaws[i] != 0 && far[i] > cushion))
                 ground =
                     has_plastics && open[i] == 0 && walls[i] == 0 ? Ground::plastic : Ground::board;
             else if (far[i] <= cushion)

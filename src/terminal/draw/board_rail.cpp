@@ -90,6 +90,27 @@ std::vector<float> distance_from_bed(const Scene& scene, const BoardGrid& grid,
     return far;
 }
 
+CellMask jaws_of(const Scene& scene, const BoardGrid& grid, const CellMask& bed) {
+    CellMask jaws(grid.size());
+    if (!is_pool_table(scene) || scene.pool.pockets.empty()) return jaws;
+    double radius = 0.0;
+    for (const Capsule& edge : scene.world.capsules().shape)
+        radius = std::max(radius, edge.radius);
+    constexpr double blur = 1.5;  // cells that an edge is marked wider than it is
+    const auto half = static_cast<float>(std::min(radius, widest_pocket(scene)) / grid.cell + blur);
+    CellMask off_bed(grid.size());
+    for (std::size_t i = 0; i < bed.size(); ++i)
+        off_bed[i] = bed[i] == 0;
+    const std::vector<float> depth = distance_from(grid, off_bed);
+    CellMask broad(grid.size());
+    for (std::size_t i = 0; i < bed.size(); ++i)
+        broad[i] = depth[i] > half;
+    const std::vector<float> apart = distance_from(grid, broad);
+    for (std::size_t i = 0; i < bed.size(); ++i)
+        jaws[i] = bed[i] != 0 && apart[i] > half + 1.0F;
+    return jaws;
+}
+
 RailWidths rail_widths(const Scene& scene) {
     const Balls& balls = scene.world.balls();
     const double radius = balls.size() > 0 ? balls.radius.front() : 0.0;

@@ -50,6 +50,9 @@ struct RailWidths {
 };
 RailWidths rail_widths(const Scene& scene);
 
+/// The cells of the bed that are no wider than an edge: jaws of pockets, which lead off it.
+CellMask jaws_of(const Scene& scene, const BoardGrid& grid, const CellMask& bed);
+
 /// The width, in cells, of a rail that contains the jaws of the pockets, edges that lead off the
 /// bed. `far`: distances from the bed; `rail`: the width without jaws, in cells.
 double rail_around_jaws(const Scene& scene, const BoardGrid& grid, const std::vector<float>& far,

@@ -63,7 +63,8 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     const View view{camera, scene, world, options, annotations, memory, contacts, inks};
     polish_balls(inks, view);
 
-    paint_pool_table(raster, view, memory.ground.board(scene));
+    const Board& board = memory.ground.board(scene);
+    paint_pool_table(raster, view, board);
     paint_overlays_below(raster, view);
     if (options.trails) {
         add_to_trails(memory.trails, camera, raster, world, inks);
@@ -76,7 +77,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_lamps(raster, view);
     // A cloud extends beyond its balls, and would hide the walls that they rest on.
     if (!annotations.copies.empty()) paint_cloud(raster, view);
-    paint_edges(raster, view, Level::board);
+    paint_edges(raster, view, board, Level::board);
     paint_holes(raster, view);
     paint_hinges(raster, view);
     paint_lit_edges(raster, view);
@@ -86,7 +87,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     if (shows_balls) paint_balls(raster, view, Level::board);
     if (has_level_above(view)) {
         paint_areas_above(raster, view);
-        paint_edges(raster, view, Level::above);
+        paint_edges(raster, view, board, Level::above);
         if (shows_balls) paint_balls(raster, view, Level::above);
     }
     if (shows_balls) paint_flashes(raster, view);

@@ -63,6 +63,8 @@ void paint_overlays_below(Raster& raster, const View& view);
 void paint_overlays_above(Raster& raster, const View& view);
 /// The leather of pockets, diamonds, head string and spots.
 void paint_pool_table(Raster& raster, const View& view, const Board& board);
+/// Whether pool tables show wood and leather: the raster has pixels, and the terminal shades.
+bool paints_tables(const Raster& raster, const View& view);
 /// The holes of pockets, over the cushions, which would cover small ones. They have the same shape
 /// wherever they lie.
 void paint_holes(Raster& raster, const View& view);
@@ -76,7 +78,7 @@ void paint_zones(Raster& raster, const View& view);
 enum class Level : std::uint8_t { board, above };
 /// Whether the level has anything above its board.
 bool has_level_above(const View& view);
-void paint_edges(Raster& raster, const View& view, Level level);
+void paint_edges(Raster& raster, const View& view, const Board& board, Level level);
 /// The hinges of seesaws, on their edges.
 void paint_hinges(Raster& raster, const View& view);
 void paint_balls(Raster& raster, const View& view, Level level);

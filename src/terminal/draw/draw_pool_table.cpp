@@ -144,11 +144,11 @@ void paint_diamonds(Raster& raster, const View& view, const Board& board, const 
     }
 }
 
+}  // namespace
+
 bool paints_tables(const Raster& raster, const View& view) {
     return raster.renderer().has_pixels() && view.options.look.has_shades();
 }
-
-}  // namespace
 
 bool paint_pocket(Raster& raster, const View& view, std::size_t zone) {
     if (!raster.renderer().has_pixels() || std::ranges::count(view.scene.pool.pockets, zone) == 0)

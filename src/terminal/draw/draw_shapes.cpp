@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "terminal/draw/board.h"
 #include "terminal/draw/draw_parts.h"
 
 /// Draws edges and zones, and the level above the board.
@@ -161,13 +164,33 @@ void paint_zones(Raster& raster, const View& view) {
     }
 }
 
-void paint_edges(Raster& raster, const View& view, Level level) {
+namespace {
+
+// The part of a jaw before the rail, whose wood lies above it; none where all is under the wood.
+std::optional<Capsule> before_rail(Capsule jaw, const Board& board) {
+    constexpr int steps = 32;
+    if (board.at(jaw.start) == Ground::rail) std::swap(jaw.start, jaw.end);
+    const Vec2 way = (jaw.end - jaw.start) / steps;
+    int seen = 0;
+    while (seen <= steps && board.at(jaw.start + way * seen) != Ground::rail)
+        ++seen;
+    if (seen == 0) return std::nullopt;
+    jaw.end = jaw.start + way * (seen - 1);
+    return jaw;
+}
+
+}  // namespace
+
+void paint_edges(Raster& raster, const View& view, const Board& board, Level level) {
+    const bool has_wood = paints_tables(raster, view) && is_pool_table(view.scene);
     const Capsules& edges = view.world.capsules();
     const Box visible = visible_box(view.camera);
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        const Capsule& shape = edges.shape[i];
         if (!edges.side.empty() && edges.side[i] == Side::none) continue;
         if (level_of_edge(view, i) != level) continue;
+        const auto seen = has_wood ? before_rail(edges.shape[i], board) : edges.shape[i];
+        if (!seen) continue;
+        const Capsule& shape = *seen;
         const bool is_selected = view.annotations.selected_capsule == edges.id[i];
         const Ink ink = is_selected ? ink_of(Role::selected, view.options.look) : edge_ink(view, i);
         const double radius = shape.radius * view.camera.columns_per_length;
@@ -176,7 +199,7 @@ void paint_edges(Raster& raster, const View& view, Level level) {
             const Capsule image{shape.start + offset, shape.end + offset, shape.radius};
             if (!overlaps(grow(bounds(image), hair), visible)) continue;
             const RasterPoint start = to_raster(view.camera, image.start);
-            const bool is_peg = image.start == image.end;
+            const bool is_peg = edges.shape[i].start == edges.shape[i].end;
             const Brush brush{ink, 255, '#'};
             if (level == Level::above) paint_shadow(raster, view, image);
             if (is_peg) {

@@ -110,6 +110,23 @@ TEST_CASE("board: a pool table's rails have square corners, and hold the jaws of
     CHECK(frame.low.x < -12.0);
 }
 
+TEST_CASE("board: the rail covers the ends of jaws, but no wall of a narrow lane with a hole") {
+    const Board table(scene_of(
+        pool_table("edge 6,0 94,0 94,-16\nedge 106,-16 106,0 194,0\nedge 6,100 194,100\n"
+                   "edge 0,6 0,94\nedge 200,6 200,94\npocket m at=100,-5 r=6\n"
+                   "pocket c at=-4,-4 r=6\npocket c at=204,-4 r=6\npocket c at=-4,104 r=6\n"
+                   "pocket c at=204,104 r=6\n")));
+    for (const double x : {94.0, 106.0}) {
+        CHECK(table.at({x, 3}) == Ground::board);
+        CHECK(table.at({x, -14}) == Ground::rail);
+    }
+    const Board lane(
+        scene_of(pool_table("edge 0,0 100,0 100,40 200,40 200,60 100,60 100,100 0,100 0,0\n"
+                            "pocket hole at=180,50 r=6\n")));
+    for (const Vec2 place : {Vec2{150, 50}, Vec2{150, 41}, Vec2{150, 59}, Vec2{199, 50}})
+        CHECK(lane.at(place) == Ground::board);
+}
+
 TEST_CASE("board: what is closed off from the balls of a pinball table is a plastic") {
     const Board board(scene_of(
         "ball b at=10,50 r=2\nbox 0,0 100,100\nslingshot s 60,20 70,50 kick=1\n"

@@ -100,6 +100,24 @@ TEST_CASE("pool table: a small pocket is a whole hole over its cushions, the sam
     CHECK(dark[1] == dark[0]);
 }
 
+TEST_CASE("pool table: the wood of the rail hides the ends of the jaws") {
+    const LoadResult loaded = load_level(
+        "carom 1 \"t\"\nuse cloth slide=0.2 roll=0.01 spin=10 g=10\nuse spin\n"
+        "ball cue at=40,50 r=2\ncue ball=cue power=0..10\n"
+        "edge 6,0 94,0 94,-16\nedge 106,-16 106,0 194,0\nedge 6,100 194,100\n"
+        "edge 0,6 0,94\nedge 200,6 200,94\npocket m at=100,-5 r=6\n"
+        "pocket c at=-4,-4 r=6\npocket c at=204,-4 r=6\npocket c at=-4,104 r=6\n"
+        "pocket c at=204,104 r=6\n",
+        "test.level");
+    REQUIRE(loaded.scene);
+    const Scene& scene = *loaded.scene;
+    const PixelPicture picture = pixels_of(scene, look_with(direct_colors), {}, 230, 65);
+    const auto color_at = [&](Vec2 place) { return around(picture, place, 0).front(); };
+    const Color wood = color_at({150, -12});
+    CHECK(color_at({94, -14}) == wood);
+    CHECK(color_at({94, 0}) != wood);
+}
+
 TEST_CASE("pool table: without shades a small pocket is a gap in the cushions and in the cloth") {
     for (const int colors : {8, 16}) {
         CAPTURE(colors);
