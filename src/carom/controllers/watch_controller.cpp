@@ -9,8 +9,6 @@
 namespace carom {
 namespace {
 
-const PlayerNames players = {"player 1", "player 2"};
-
 bool is_pool(const PlayContext& play) {
     return PoolAim::is_at(play.session.scene());
 }
@@ -38,7 +36,7 @@ void WatchController::pass(PlayContext& play, double seconds) {
 
 void WatchController::after_ticks(PlayContext& play, double seconds) {
     if (pinball_) pinball_->after_ticks(play, seconds, false);
-    if (auto outcome = announcer_.tell(play.session, players)) say(play, *std::move(outcome));
+    if (auto outcome = announcer_.tell(play.session, names_)) say(play, *std::move(outcome));
 }
 
 void WatchController::cut_panel(const PlayContext& play, CellArea& area) {
@@ -68,14 +66,14 @@ void WatchController::draw_panel(const PlayContext& play, Canvas& canvas) const 
     if (pinball_) pinball_->draw_panel(play, canvas, false);
     const ViewOptions& options = play.view.options;
     if (is_pool(play))
-        draw_pool_panel(canvas, pool_panel_, scoreboard_of(play.session, players),
+        draw_pool_panel(canvas, pool_panel_, scoreboard_of(play.session, names_),
                         renderer_in_force(options), play.view.camera.aspect, options.look);
 }
 
 void WatchController::add_status(const PlayContext& play, HudInfo& info) const {
     info.title = "recording: " + info.title;
     if (pinball_) pinball_->add_score(play, info);
-    add_pool_title(play.session, players, std::nullopt, info);
+    add_pool_title(play.session, names_, std::nullopt, info);
 }
 
 void WatchController::set_high_scores(HighScores scores) {

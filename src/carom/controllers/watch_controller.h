@@ -4,6 +4,7 @@
 
 #include "carom/context/controller.h"
 #include "carom/controllers/pinball_feedback.h"
+#include "carom/pool/pool_players.h"
 #include "carom/pool/pool_status.h"
 
 /// Watching a recording: keys control only time and view, and the mouse drags the view. Pool and
@@ -26,9 +27,12 @@ class WatchController : public Controller {
     void draw_panel(const PlayContext& play, Canvas& canvas) const override;
     void add_status(const PlayContext& play, HudInfo& info) const override;
     void set_high_scores(HighScores scores) override;
+    /// Names the players of a game of pool: Replay::opponent.
+    void set_opponent(int number) { names_ = names_against(number); }
 
   private:
     ShotAnnouncer announcer_;
+    PlayerNames names_ = names_against(0);
     std::optional<PinballFeedback> pinball_;  ///< none: not a pinball table
     CellArea pool_panel_;                     ///< empty away from pool tables
 };

@@ -77,9 +77,11 @@ std::optional<std::string> Recording::obstacle() const {
 }
 
 std::optional<std::string> Recording::write(const Session& session, const std::string& level,
-                                            std::span<const std::string> overrides) const {
+                                            std::span<const std::string> overrides,
+                                            int opponent) const {
     Replay replay = record(session, name_in_recording(level), overrides);
     replay.program = version();
+    replay.opponent = opponent;
     return write_file_atomically(path_, replay_text(replay), Access::everybody, existing_);
 }
 

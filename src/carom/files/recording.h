@@ -38,9 +38,11 @@ class Recording {
     const std::string& path() const { return path_; }
     /// The reason why nothing can be written there, for the player to learn before the game.
     std::optional<std::string> obstacle() const;
-    /// Writes the session so far; `level`: the path of its file. Returns the error, if any.
+    /// Writes the session so far; `level`: the path of its file; `opponent`: Replay::opponent.
+    /// Returns the error, if any.
     std::optional<std::string> write(const Session& session, const std::string& level,
-                                     std::span<const std::string> overrides) const;
+                                     std::span<const std::string> overrides,
+                                     int opponent = 0) const;
 
   private:
     std::string path_;

@@ -9,6 +9,7 @@
 #include "carom/controllers/make_controller.h"
 #include "carom/controllers/pinball_controller.h"
 #include "carom/controllers/pool_controller.h"
+#include "carom/controllers/watch_controller.h"
 
 namespace carom {
 namespace {
@@ -194,6 +195,15 @@ PoolPlayers* Player::pool_players() {
 const PoolPlayers* Player::pool_players() const {
     const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
     return pool ? &pool->players() : nullptr;
+}
+
+int Player::opponent() const {
+    const PoolPlayers* const players = pool_players();
+    return players ? players->opponent() : 0;
+}
+
+void Player::watch_opponent(int number) {
+    dynamic_cast<WatchController&>(*play_.controller).set_opponent(number);
 }
 
 std::optional<ShotSetup> Player::shot_setup() const {

@@ -65,6 +65,10 @@ class Player {
     /// Who plays at a pool table; null elsewhere.
     PoolPlayers* pool_players();
     const PoolPlayers* pool_players() const;
+    /// The AI player at a pool table, by number; 0: none.
+    int opponent() const;
+    /// Names the players of a recording. Pre: is_watching().
+    void watch_opponent(int number);
     /// The shot that the player is setting up at a pool table; none elsewhere. It is kept with an
     /// unfinished game.
     std::optional<ShotSetup> shot_setup() const;

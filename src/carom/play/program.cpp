@@ -175,6 +175,7 @@ std::optional<Problems> Program::open_recording(const std::string& path) {
     Session session(std::move(scene), replay.solver, options_.rewind_bytes);
     session.follow(std::move(replay.commands), replay.end, replay.fingerprint_version);
     Player player(std::move(session), view(), preferences_.keys);
+    player.watch_opponent(replay.opponent);
     LevelSource source = carom::source_of(options_, replay.level);
     enter(std::move(source), std::move(player), std::nullopt);
     auto& game = std::get<RunningGame>(page_);
@@ -233,8 +234,8 @@ bool Program::end_game() {
     auto* game = std::get_if<RunningGame>(&page_);
     if (game && recording_ && !game->player.is_watching()) {
         const Recording recording = *std::exchange(recording_, std::nullopt);
-        lost_recording_ =
-            recording.write(game->player.session(), game->source.path, game->source.overrides);
+        lost_recording_ = recording.write(game->player.session(), game->source.path,
+                                          game->source.overrides, game->player.opponent());
         if (lost_recording_) {
             *lost_recording_ +=
                 game->autosave()

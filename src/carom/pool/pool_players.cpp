@@ -13,9 +13,13 @@ bool PoolPlayers::set_opponent(const Session& session, int number) {
     return true;
 }
 
-PlayerNames PoolPlayers::names() const {
-    if (opponent() > 0) return {"you", std::string(ai_player(opponent()).name)};
+PlayerNames names_against(int opponent) {
+    if (opponent > 0) return {"you", std::string(ai_player(opponent).name)};
     return {"player 1", "player 2"};
+}
+
+PlayerNames PoolPlayers::names() const {
+    return names_against(opponent());
 }
 
 bool PoolPlayers::set_match(const Session& session, bool is_match) {

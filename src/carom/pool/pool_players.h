@@ -14,6 +14,9 @@
 /// clock, and the record. At a table without a game it is there, and does nothing.
 namespace carom {
 
+/// "you" and the AI player of this number; 0: two people.
+PlayerNames names_against(int opponent);
+
 class PoolPlayers {
   public:
     /// The AI player plays the second player from now on (PoolOpponent::set). False without a

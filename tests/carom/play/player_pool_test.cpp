@@ -6,8 +6,10 @@
 #include <string>
 #include <variant>
 
+#include "carom/files/recording.h"
 #include "carom/play/player.h"
 #include "carom/support/person.h"
+#include "carom/support/process.h"
 #include "game/support/shipped.h"
 #include "physics/world/fingerprint.h"
 #include "terminal/draw/board.h"
@@ -760,4 +762,25 @@ TEST_CASE("d calls nothing while the balls roll or the opponent plays") {
     REQUIRE(in_match.play().rules.player == 1);
     in_match.key(U'd');
     CHECK_FALSE(in_match.sees("safety"));
+}
+
+TEST_CASE("a recording of a match against carom names you and carom") {
+    Person person("nine-ball");
+    person.players().set_opponent(person.player.session(), 2);
+    REQUIRE(person.player.opponent() == 2);
+    const test::TemporaryFolder folder;
+    const std::string path = folder.path("match.replay");
+    REQUIRE_FALSE(Recording(path).write(person.player.session(), "nine-ball.level", {},
+                                        person.player.opponent()));
+    auto opened = open_replay(path);
+    REQUIRE(std::holds_alternative<OpenedReplay>(opened));
+    auto& [replay, scene] = std::get<OpenedReplay>(opened);
+    CHECK(replay.opponent == 2);
+    Session session(std::move(scene), replay.solver);
+    session.follow(std::move(replay.commands), 10, replay.fingerprint_version);
+    test::PersonAtWindow watcher(std::move(session), 120, 36);
+    CHECK(watcher.sees("player 1"));
+    watcher.player.watch_opponent(replay.opponent);
+    CHECK(watcher.sees("you break"));
+    CHECK_FALSE(watcher.sees("player 1"));
 }
