@@ -20,14 +20,18 @@ void go_to(PlayContext& play, std::uint64_t tick) {
     if (play.session.world().tick() < play.reference.tick()) set_reference(play);
 }
 
-// Play shows every kind of note that a run has.
+PlayPurpose purpose_of(const Scene& scene) {
+    if (scene.table.is_game || scene.pool.cue) return PlayPurpose::game;
+    return scene.expects.empty() ? PlayPurpose::free_play : PlayPurpose::experiment;
+}
+
+// Play shows every kind of note that a run has and that its purpose has a use for.
 void tell_outcome(PlayContext& play) {
     const TickNotes before = std::exchange(
         play.notes, notes_of_tick(play.session.world(), play.session.solver().kind,
                                   play.session.standing(), rule_state(play.session.game())));
     // A note that lasts leaves room for other messages.
-    const bool is_experiment = !play.session.scene().expects.empty();
-    if (const auto note = play_note(before, play.notes, is_experiment))
+    if (const auto note = play_note(before, play.notes, purpose_of(play.session.scene())))
         if (note->has_begun || !play.messages.line()) complain(play, note->text);
 }
 

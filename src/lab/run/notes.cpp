@@ -37,6 +37,7 @@ struct NoteRow {
     void (*in_report)(JsonWriter& json, const RunNotes& notes, const RunNotes::Ticks& ticks);
     /// In play of an experiment; null: as in all play.
     std::string (*in_experiment)(const TickNotes& notes) = nullptr;
+    bool is_told_in_games = true;
 };
 
 constexpr std::array<NoteRow, note_kinds> rows{{
@@ -125,7 +126,8 @@ constexpr std::array<NoteRow, note_kinds> rows{{
      .in_experiment = [](const TickNotes& notes) -> std::string {
          return fmt::format("Time stood still for {}: too many collisions.",
                             text_of(notes.standing));
-     }},
+     },
+     .is_told_in_games = false},
 }};
 
 }  // namespace
@@ -176,12 +178,14 @@ void write_notes(JsonWriter& json, const RunNotes& notes) {
 }
 
 std::optional<PlayNote> play_note(const TickNotes& before, const TickNotes& now,
-                                  bool is_experiment) {
+                                  PlayPurpose purpose) {
     std::optional<PlayNote> lasting;
     for (const NoteRow& row : rows) {
-        if (total(row.count(now)) == 0) continue;
+        const bool is_told = purpose != PlayPurpose::game || row.is_told_in_games;
+        if (!is_told || total(row.count(now)) == 0) continue;
         const bool is_new = total(row.count(before)) == 0 || before.solver != now.solver;
-        const auto text = is_experiment && row.in_experiment ? row.in_experiment : row.in_play;
+        const bool is_precise = purpose == PlayPurpose::experiment && row.in_experiment;
+        const auto text = is_precise ? row.in_experiment : row.in_play;
         if (is_new) return PlayNote{text(now), true};
         if (!row.is_constant) lasting = {text(now), false};
     }

@@ -63,14 +63,18 @@ std::string notes_text(const RunNotes& notes, double rate);
 /// The list of notes of a report, as the value of a key.
 void write_notes(JsonWriter& json, const RunNotes& notes);
 
+/// What the player does: an experiment is a level that states what it expects, a game one with
+/// rules of pool or pinball.
+enum class PlayPurpose : std::uint8_t { free_play, experiment, game };
+
 /// What play shows of a tick: the note that has begun, or else one that lasts. At most 60
-/// characters. An experiment, which is a level that states what it expects, has precise words;
-/// others have plain ones.
+/// characters. An experiment has precise words; others have plain ones. A game says nothing of time
+/// that stands still for a moment, such as for a ball that jams two flippers: the table shows it.
 struct PlayNote {
     std::string text;
     bool has_begun = false;  ///< the tick before had no such note
 };
 std::optional<PlayNote> play_note(const TickNotes& before, const TickNotes& now,
-                                  bool is_experiment = false);
+                                  PlayPurpose purpose = PlayPurpose::free_play);
 
 }  // namespace carom

@@ -58,7 +58,15 @@ TEST_CASE("notes: a run, its report and play show every kind") {
 TEST_CASE("notes: play says in plain words that a crowd of balls halts, in experiments precisely") {
     const TickNotes tick = with(NoteKind::stood_still, 12);
     CHECK(play_note({}, tick)->text == "Too crowded: a moment's halt for 12 balls.");
-    CHECK(play_note({}, tick, true)->text == "Time stood still for 12 balls: too many collisions.");
+    CHECK(play_note({}, tick, PlayPurpose::experiment)->text ==
+          "Time stood still for 12 balls: too many collisions.");
+}
+
+TEST_CASE("notes: a game is not told that a ball stood still, but all else that it can mend") {
+    CHECK_FALSE(play_note({}, with(NoteKind::stood_still), PlayPurpose::game));
+    for (const NoteKind kind :
+         {NoteKind::ignores_modulus, NoteKind::actions_left_out, NoteKind::not_held})
+        CHECK(play_note({}, with(kind), PlayPurpose::game));
 }
 
 TEST_CASE("notes: ticks are counted from the first, with the most of them") {
