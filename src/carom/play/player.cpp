@@ -22,6 +22,8 @@ constexpr double wheel_factor = 1.15;
 Player::Player(Session session, const ViewOptions& view, KeyMap keys, bool solver_is_picked)
     : play_(std::move(session), view, std::move(keys), solver_is_picked) {
     play_.controller = make_controller(play_.session);
+    set_view(view);
+    play_.view.defaults = play_.view.options;
 }
 
 Player Player::continued_with(Session session, bool solver_is_picked) const {
@@ -170,6 +172,7 @@ void Player::set_keep_going(const KeepGoing& keep_going) {
 
 void Player::set_view(const ViewOptions& view) {
     play_.view.options = view;
+    play_.view.options.is_table = !play_.session.scene().table.is_empty();
     play_.needs_draw = true;
 }
 

@@ -42,6 +42,9 @@ void write_texts(Canvas& canvas, const View& view) {
 }  // namespace
 
 const Renderer& renderer_in_force(const ViewOptions& options) {
+    // Without colours a ball of dots among dots cannot be seen, a character can.
+    const bool wants_characters = options.is_table && !options.look.has_colors();
+    if (options.renderer == nullptr && wants_characters) return ascii_renderer();
     return renderer_for(options.renderer, options.look);
 }
 

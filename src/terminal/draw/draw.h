@@ -47,6 +47,7 @@ struct ViewOptions {
     bool trails = false;
     bool counters = true;     ///< numbers over bins
     bool board_texts = true;  ///< the labels of the board, and the names of its lights
+    bool is_table = false;    ///< of pinball, where one small ball and the lights must be seen
     OverlaySet overlays;
 
     Look look;

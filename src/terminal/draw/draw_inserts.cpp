@@ -158,7 +158,8 @@ void paint_insert(Raster& raster, const View& view, const TableLight& light) {
     Ink ink = light.color ? dress_ink(*light.color, look) : ink_of_class(light.family, look);
     const RasterPoint at = to_raster(view.camera, light.shape.start);
     if (raster.renderer().has_regions()) {
-        ink.attributes = light.is_lit ? bold : look.has_colors() ? plain : dim;
+        ink.attributes = look.has_colors() ? plain : dim;
+        if (light.is_lit) ink = lit_ink(raster, {ink.color, plain}, look);
         const CellPoint cell = to_cells(view.camera, light.shape.start);
         if (!light.is_lit && std::abs(cell.column) < 1e6 && std::abs(cell.row) < 1e6)
             ink.color = unlit(ink.color, 0.5, static_cast<int>(std::floor(cell.column)),
@@ -170,8 +171,8 @@ void paint_insert(Raster& raster, const View& view, const TableLight& light) {
     constexpr std::uint8_t full = 255;
     if (raster.renderer().has_dots() || !look.has_shades()) {
         if (!light.is_lit) return raster.disc(at, 0.0, 0.0, {ink, full, '\0'});
-        ink.attributes = bold;
-        return paint_shape(raster, at, radius, light, ink, full);
+        const double lit_radius = std::max(radius, lit_swell(raster, look));
+        return paint_shape(raster, at, lit_radius, light, lit_ink(raster, ink, look), full);
     }
     if (!light.is_lit) {
         const auto level = static_cast<std::uint8_t>(unlit_share * full);

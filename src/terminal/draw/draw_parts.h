@@ -48,6 +48,13 @@ struct Images {
 };
 Images images_of(const Model& model, const Box& bounds, const Camera& camera);
 
+/// The ink of a lit light. Without colours it is reversed where a cell has one glyph: some
+/// terminals have no dim characters, and bold alone is hard to tell.
+Ink lit_ink(const Raster& raster, Ink ink, const Look& look);
+/// By how much a lit light is larger than an unlit one, in columns: a pixel, where there are pixels
+/// and no colours; else 0.
+double lit_swell(const Raster& raster, const Look& look);
+
 /// Gives balls the colours of the level's dress, where it has any.
 void dress_balls(std::vector<Ink>& inks, const Scene& scene, const World& world, const Look& look);
 /// The ink of an edge: its own colour, that of its material, that of the theme, or one by number.

@@ -9,17 +9,17 @@ namespace carom {
 namespace {
 
 Ink ink_of_light(const TableLight& light, const Look& look) {
-    if (!look.has_colors()) return {default_color, light.is_lit ? bold : dim};
-    Ink ink = light.color ? dress_ink(*light.color, look) : ink_of_class(light.family, look);
-    if (light.is_lit) ink.attributes |= bold;
-    return ink;
+    if (!look.has_colors()) return {default_color, plain};
+    return light.color ? dress_ink(*light.color, look) : ink_of_class(light.family, look);
 }
 
 void paint_lit_edge(Raster& raster, const View& view, const TableLight& light) {
+    const Look& look = view.options.look;
     const RasterPoint start = to_raster(view.camera, light.shape.start);
     const double radius =
-        std::max(light.shape.radius * view.camera.columns_per_length, 1.3 * raster.hairline());
-    const Brush brush{ink_of_light(light, view.options.look), 255, '*'};
+        std::max(light.shape.radius * view.camera.columns_per_length, 1.3 * raster.hairline()) +
+        lit_swell(raster, look);
+    const Brush brush{lit_ink(raster, ink_of_light(light, look), look), 255, '*'};
     if (light.shape.start == light.shape.end)
         paint_peg(raster, start, radius, brush);
     else
@@ -90,6 +90,17 @@ void paint_gauge(Raster& raster, const View& view, const PowerGauge& gauge) {
 }
 
 }  // namespace
+
+Ink lit_ink(const Raster& raster, Ink ink, const Look& look) {
+    ink.attributes |= bold;
+    if (!look.has_colors() && !raster.renderer().has_pixels()) ink.attributes |= reverse;
+    return ink;
+}
+
+double lit_swell(const Raster& raster, const Look& look) {
+    if (look.has_colors() || !raster.renderer().has_pixels()) return 0.0;
+    return 1.0 / raster.renderer().across;
+}
 
 void paint_lamps(Raster& raster, const View& view) {
     if (!view.annotations.table) return;

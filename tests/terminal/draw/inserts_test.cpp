@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "level/load.h"
 #include "terminal/draw/draw.h"
@@ -25,7 +26,7 @@ struct Picture {
     Canvas canvas{60, 30};
 
     Picture(const TableAnnotations& table, const Renderer& renderer, const std::string& more = "",
-            bool is_light = false) {
+            bool is_light = false, int colors = direct_colors) {
         const LoadResult loaded =
             load_level("carom 1 \"t\"\nworld 0,0 60,60\nball a at=5,5 r=1\n" + more, "t.level");
         REQUIRE(loaded.scene);
@@ -34,7 +35,7 @@ struct Picture {
         annotations.table = table;
         ViewOptions options;
         options.renderer = &renderer;
-        options.look.colors = direct_colors;
+        options.look.colors = colors;
         options.look.light_background = is_light;
         ViewMemory memory;
         draw_world(canvas, fit_camera(scene.view, {0, 0, 60, 30}, 2.0), scene, scene.world, {},
@@ -114,6 +115,56 @@ TEST_CASE("small inserts are squares, the same wherever they lie, and dim until 
                 CHECK(changed <= 4);
             }
     }
+}
+
+TEST_CASE("without colours a lit light differs from an unlit one by more than bold or dim") {
+    const std::string edges = "edge 20,20 20,26\npeg at=30,20 r=2\n";
+    std::vector<TableLight> lights;
+    for (const InsertShape shape :
+         {InsertShape::circle, InsertShape::arrow, InsertShape::triangle, InsertShape::square,
+          InsertShape::diamond, InsertShape::star, InsertShape::bar})
+        lights.push_back(light_at({30, 40}, shape, false));
+    for (const Capsule& edge :
+         {Capsule{{20, 20}, {20, 26}, 0.0}, Capsule{{30, 20}, {30, 20}, 2.0}}) {
+        lights.push_back(light_at({}, InsertShape::circle, false));
+        lights.back().is_edge = true;
+        lights.back().shape = edge;
+    }
+    lights.back().is_bumper = true;
+    for (const Renderer& renderer : renderers())
+        for (TableLight light : lights) {
+            CAPTURE(renderer.name);
+            CAPTURE(static_cast<int>(light.insert));
+            CAPTURE(light.is_edge);
+            light.text = "";
+            if (!light.is_edge) light.shape.radius = 0.5;
+            const Picture unlit({.lights = {light}}, renderer, edges, false, 0);
+            light.is_lit = true;
+            const Picture lit({.lights = {light}}, renderer, edges, false, 0);
+            int changed = 0;
+            for (int row = 0; row < lit.canvas.rows(); ++row)
+                for (int column = 0; column < lit.canvas.columns(); ++column) {
+                    const Cell& was = unlit.canvas.at(column, row);
+                    const Cell& is = lit.canvas.at(column, row);
+                    changed +=
+                        was.glyph != is.glyph || ((was.attributes ^ is.attributes) & reverse) != 0;
+                }
+            CHECK(changed > 0);
+        }
+}
+
+TEST_CASE("without colours a table of pinball is drawn with characters, other levels with dots") {
+    ViewOptions options;
+    options.look.colors = 0;
+    options.look.utf8 = true;
+    CHECK(&renderer_in_force(options) == &braille_renderer());
+    options.is_table = true;
+    CHECK(&renderer_in_force(options) == &ascii_renderer());
+    options.look.colors = 8;
+    CHECK(&renderer_in_force(options) == &half_block_renderer());
+    options.look.colors = 0;
+    options.renderer = &braille_renderer();
+    CHECK(&renderer_in_force(options) == &braille_renderer());
 }
 
 TEST_CASE("an arrow points in ASCII too, and names do not cover other lights") {
