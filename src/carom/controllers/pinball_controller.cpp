@@ -14,6 +14,7 @@ namespace carom {
 namespace {
 
 constexpr const char* demo_help = "carom plays: any key of the table takes over";
+constexpr const char* attract_help = "carom plays: any key starts a game";
 
 /// Applies presses for which the table has a device.
 void press_buttons(PlayContext& play, const std::vector<command::Press>& presses) {
@@ -73,6 +74,7 @@ void PinballController::attract(PlayContext& play, double seconds) {
     if (idle_ < patience) return;
     demonstrate(play, true);
     attracts_ = true;
+    say(play, attract_help);
 }
 
 void PinballController::end_attract(PlayContext& play) {
@@ -226,7 +228,7 @@ void PinballController::add_status(const PlayContext& play, HudInfo& info) const
         return;
     }
     if (is_demonstrating()) {
-        info.game = demo_help;
+        info.game = attracts_ ? attract_help : demo_help;
         return;
     }
     if (!has_flippers(play.session.scene())) return;

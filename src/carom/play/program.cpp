@@ -119,6 +119,8 @@ std::optional<Problems> Program::start() {
     }
     const LevelSource source = carom::source_of(options_, options_.level);
     auto problems = open(source);
+    auto* const game = std::get_if<RunningGame>(&page_);
+    if (game && options_.resume) game->player.say("There is no unfinished game: a new one begins.");
     if (problems && options_.watch && find_level(source.path).path) {
         open_or_tell(source);
         return std::nullopt;
@@ -261,7 +263,10 @@ void Program::interrupt() {
     if (!game) return;
     keep_key_repeat(game->player.terminal().key_repeat, preferences_, settings_);
     game->keep_pool_record(true);
-    game->autosave();
+    if (recording_)
+        game->autosave();
+    else
+        game->keep();
     if (recording_ && !game->player.is_watching())
         lost_recording_ =
             recording_->write(game->player.session(), game->source.path, game->source.overrides);

@@ -229,7 +229,7 @@ void Program::advance_game(RunningGame& game, double seconds, double now,
         game.keep_stars();
     if (now >= next_autosave_) {
         next_autosave_ = now + autosave_interval;
-        game.autosave();
+        game.keep();
     }
 }
 

@@ -60,6 +60,13 @@ bool RunningGame::autosave() {
     return true;
 }
 
+void RunningGame::keep() {
+    const Session& session = player.session();
+    const bool is_played = is_in_pinball_game(session) && !player.is_demonstrating();
+    if (session.scene().table.is_game && !is_played) return resume_file.remove();
+    autosave();
+}
+
 bool RunningGame::is_saved() const {
     const Session& session = player.session();
     return session.world().tick() == saved_tick && session.commands().size() == saved_commands;

@@ -42,6 +42,8 @@ struct RunningGame {
     /// Writes the resume file, if the game has changed since it was last written. False: the file
     /// is not there, or is older than the game; after an error, the next call tries again.
     bool autosave();
+    /// Saves the game unless there is nothing to resume: a table of pinball that nobody plays.
+    void keep();
     bool is_saved() const;
     /// Ends the game normally. True: it is a match of pool that is not won, or a game of pinball
     /// that its player has begun, and it is kept.

@@ -108,12 +108,13 @@ struct AtTable {
     double now = 100.0;
 
     explicit AtTable(const TableHome& home, bool key_release = false, bool watch = false,
-                     const char* preferences = "")
+                     const char* preferences = "", bool resume = false)
         : program(
               [&] {
                   PlayOptions options;
                   options.level = home.table();
                   options.watch = watch;
+                  options.resume = resume;
                   return options;
               }(),
               read_preferences(preferences, "preferences")) {
@@ -165,13 +166,16 @@ TEST_CASE("a table that nobody touches is played by the demo, until any key") {
     table.pass(4.0);
     CHECK(table.sees("DEMONSTRATION"));
     table.pass(10.0);
-    CHECK(table.sees("carom plays: any key of the table takes over"));
+    CHECK(table.sees("carom plays: any key starts a game"));
     table.key(U'z');
     CHECK_FALSE(table.sees("DEMONSTRATION"));
     CHECK_FALSE(table.sees("carom plays"));
     CHECK(table.sees("ball 1 of 3"));
     table.pass(5.0);
     CHECK_FALSE(table.sees("DEMONSTRATION"));
+    table.key(U'd');
+    table.pass(5.0);
+    CHECK(table.sees("carom plays: any key of the table takes over"));
 }
 
 TEST_CASE("initials that nobody completes are kept, and then the demo plays") {
@@ -446,6 +450,23 @@ TEST_CASE("a game that has begun is kept when its player leaves, and can be resu
         later.key(U'R');
         later.pass(0.5);
         CHECK(later.sees("Resumed."));
+    }
+}
+
+TEST_CASE("a table that nobody has played is no unfinished game, even where the terminal is gone") {
+    const TableHome home;
+    for (const bool is_played : {false, true}) {
+        CAPTURE(is_played);
+        {
+            AtTable table(home);
+            if (is_played) table.key(key::enter);
+            table.pass(8.0);
+            table.program.interrupt();
+        }
+        AtTable later(home, false, false, "", true);
+        CHECK(later.sees("There is no unfinished game: a new one begins.") == !is_played);
+        later.pass(0.5);
+        CHECK(later.sees("Resumed.") == is_played);
     }
 }
 
