@@ -153,6 +153,7 @@ void update_pinball(const Scene& scene, World& world, PinballState& state,
     raise_targets(game);
     update_openings(game);
     push_table(game);
+    launch_tilted_ball(game);
     update_plunger(game);
     if (scene.table.is_game) {
         search_balls(game);

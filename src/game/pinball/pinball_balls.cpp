@@ -175,6 +175,13 @@ void serve(Pinball game) {
     if (state.serves_itself) state.launch_at = game.now() + game.ticks(launch_pause);
 }
 
+void launch_tilted_ball(Pinball game) {
+    PinballState& state = game.state;
+    const bool waits = state.is_tilted && state.phase == Phase::playing && state.to_serve == 0 &&
+                       state.launch_at == 0 && is_on_plunger(game.scene, game.world);
+    if (waits) state.launch_at = game.now() + game.ticks(launch_pause);
+}
+
 void begin_game_again(Pinball game) {
     PinballState& state = game.state;
     ++state.games;

@@ -251,7 +251,7 @@ std::span<const std::uint32_t> shots_to_make(const Scene& scene, const World& wo
 }
 
 void save_for(Pinball game, double seconds) {
-    if (!(seconds > 0.0)) return;
+    if (!(seconds > 0.0) || game.state.is_tilted) return;
     game.state.save_until = std::max(game.state.save_until, game.now() + game.ticks(seconds));
 }
 

@@ -80,6 +80,8 @@ std::size_t balls_in_play(Pinball game);
 std::size_t all_balls(Pinball game);
 /// Serves a ball at the start of the level's first ball, as soon as there is room.
 void serve(Pinball game);
+/// Launches a tilted ball that lies on the plunger, so that it ends without the player.
+void launch_tilted_ball(Pinball game);
 void begin_game_again(Pinball game);
 /// Ends the ball in play once all have drained; serves another if the last one has been locked.
 void count_drained(Pinball game);

@@ -167,6 +167,23 @@ TEST_CASE("nudging pushes balls, warns, and finally tilts") {
     CHECK(game.state().score == 0);
 }
 
+TEST_CASE("a table that is tilted while the ball lies on the plunger launches it, for good") {
+    Game game("game pinball balls=2 save=10s tilt=0\n");
+    game.send({390, 30.1}, {});
+    for (int i = 0; i < 4; ++i) {
+        game.press(Button::nudge_up, true);
+        game.run(0.12);
+        game.press(Button::nudge_up, false);
+    }
+    REQUIRE(game.state().is_tilted);
+    game.send({390, 30.1}, {}, 0.65);
+    CHECK(game.world.balls().velocity[0].y > 0.5);
+    game.send({200, 30}, {0.0, -1.0}, 0.1);
+    CHECK(game.world.balls().size() == 0);
+    CHECK(game.state().phase == PinballState::Phase::counting);
+    CHECK(game.state().to_serve == 0);
+}
+
 TEST_CASE("a kickback returns a ball once") {
     Game game("game pinball save=0s\non pops hit light rescue\n");
     game.send({60, 80}, {0.0, -1.0});
