@@ -161,6 +161,7 @@ void update_pinball(const Scene& scene, World& world, PinballState& state,
     }
     move_flippers(game);
     note_goal(game);
+    tell_extra_ball(game);
     if (!state.message.empty() && world.tick() >= state.message_until) state.message.clear();
 }
 

@@ -197,6 +197,7 @@ void begin_game_again(Pinball game) {
         if (game.table().devices[i].kind == DeviceKind::droptarget) state.is_rising[i] = 1;
     remove_locked_balls(game);
     state.message.clear();
+    state.extra_ball_is_untold = false;
     serve_next(game);
 }
 

@@ -154,7 +154,7 @@ void PinballHost::act(const RuleAction& action, std::int64_t value, int depth) {
             break;
         case What::extraball:
             ++state.extra_balls;
-            game_.say("EXTRA BALL", 3.0);
+            state.extra_ball_is_untold = true;
             break;
         case What::message:
             game_.say(text_of(game_.scene.rules, state.rules, *this, action.text), 3.0);
@@ -228,6 +228,15 @@ void run_rules(Pinball game) {
     end_timers(host.rules());
 }
 
+void tell_extra_ball(Pinball game) {
+    constexpr double least_shown = 1.5;  // s of the message before it
+    PinballState& state = game.state;
+    const bool waits =
+        !state.message.empty() && game.now() < state.message_since + game.ticks(least_shown);
+    if (waits || !std::exchange(state.extra_ball_is_untold, false)) return;
+    game.say("EXTRA BALL", 3.0);
+}
+
 void note_goal(Pinball game) {
     if (game.scene.rules.goals.empty() || !game.is_scoring()) return;
     note_goal(game.scene.rules, game.state.rules, PinballHost(game), game.state.goal);
@@ -236,6 +245,7 @@ void note_goal(Pinball game) {
 std::string task_text(const Scene& scene, const World& world, const PinballState& state) {
     if (scene.rules.tasks.empty() && scene.rules.goals.empty()) return {};
     if (state.is_tilted) return "TILT";
+    if (state.rules.turn_is_new) return {};  // its rules have not said what to shoot for
     const PinballAnswers answers(scene, world, state);
     std::string task = task_text(scene.rules, state.rules, answers);
     return task.empty() ? goal_text(scene.rules, state.goal) : task;
@@ -243,7 +253,8 @@ std::string task_text(const Scene& scene, const World& world, const PinballState
 
 std::span<const std::uint32_t> shots_to_make(const Scene& scene, const World& world,
                                              const PinballState& state) {
-    const bool is_played = state.phase == PinballState::Phase::playing && !state.is_tilted;
+    const bool is_played =
+        state.phase == PinballState::Phase::playing && !state.is_tilted && !state.rules.turn_is_new;
     if (scene.rules.tasks.empty() || !is_played) return {};
     const RuleTask* const task =
         task_of(scene.rules, state.rules, PinballAnswers(scene, world, state));

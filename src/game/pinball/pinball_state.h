@@ -115,7 +115,10 @@ struct PinballState {
     GoalState goal;  ///< of the level; no shots are counted
 
     std::string message;
+    std::uint64_t message_since = 0;
     std::uint64_t message_until = 0;
+    /// The message of an extra ball waits for the one before it, such as that of a multiball.
+    bool extra_ball_is_untold = false;
 };
 
 }  // namespace carom

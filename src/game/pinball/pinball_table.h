@@ -34,6 +34,7 @@ struct Pinball {
     }
     void say(std::string message, double seconds) {
         state.message = std::move(message);
+        state.message_since = now();
         state.message_until = now() + ticks(seconds);
     }
 };
@@ -50,6 +51,8 @@ void apply_rules(Pinball game, std::uint32_t device, RuleEvent event);
 void apply_rules(Pinball game, RuleEvent moment);
 /// Begins a game and a turn where one is due, and ends timers.
 void run_rules(Pinball game);
+/// Tells of an extra ball, once the message before it has been shown for a while.
+void tell_extra_ball(Pinball game);
 /// Notes that the goal of the level is reached, if it has one.
 void note_goal(Pinball game);
 

@@ -38,6 +38,7 @@ void add_play(Digest& digest, const PinballState& s) {
                                       s.message_until,
                                       std::uint64_t{s.message.size()}})
         digest.add(value);
+    if (s.extra_ball_is_untold) digest.add(std::uint64_t{1});
     digest.add(s.pull);
     digest.add(s.nudge);
     digest.add(s.tilt_meter);

@@ -66,6 +66,7 @@ task "POPS" for pops lanes.2 arrow if mode=1
 task "REST" if mode=2
 task "BANK" for drops
 )");
+    game.run(0.01);
     CHECK(shots_of(game) == std::vector<std::string>{"drops"});
     game.send({360, 120}, {1.0, 0.0});
     CHECK(shots_of(game) == std::vector<std::string>{"pops", "lanes.2", "arrow"});
@@ -152,8 +153,31 @@ TEST_CASE("the replay award is an extra ball, once a game") {
     CHECK(game.state().phase == PinballState::Phase::over);
 }
 
+TEST_CASE("an extra ball does not hide the message of the same shot, and is told after it") {
+    SmallTable game("game pinball save=0s\non pops hit message \"MULTIBALL\", extraball\n");
+    game.send({200, 460}, {0.0, 1.0});
+    CHECK(game.state().extra_balls == 1);
+    CHECK(game.state().message == "MULTIBALL");
+    game.send({200, 300}, {}, 1.6);
+    CHECK(game.state().message == "EXTRA BALL");
+    SmallTable alone("game pinball save=0s\non pops hit extraball\n");
+    alone.send({200, 460}, {0.0, 1.0});
+    CHECK(alone.state().message == "EXTRA BALL");
+}
+
+TEST_CASE("a table asks for no shot before the rules have begun the turn") {
+    SmallTable game(
+        "game pinball save=0s\nvar skill\non turn begins skill 1\n"
+        "task \"THE SKILL SHOT\" for lanes if skill\ntask \"HIT THE STAND\" for stand\n");
+    CHECK(task_text(game.scene, game.world, game.state()).empty());
+    CHECK(shots_of(game).empty());
+    game.run(0.01);
+    CHECK(task_text(game.scene, game.world, game.state()) == "THE SKILL SHOT");
+}
+
 TEST_CASE("a tilted table asks for no shot") {
     SmallTable game("game pinball save=0s tilt=0\ntask \"HIT THE STAND\" for stand\n");
+    game.run(0.01);
     REQUIRE(shots_of(game).size() == 1);
     CHECK(task_text(game.scene, game.world, game.state()) == "HIT THE STAND");
     for (int i = 0; i < 4; ++i) {
