@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "game/pinball/pinball.h"
+#include "game/rules/rules.h"
 
 namespace carom {
 namespace {
@@ -84,13 +85,6 @@ std::string safety_line(const Session& session) {
 }
 
 }  // namespace
-
-std::string grouped(std::int64_t number) {
-    std::string digits = fmt::format("{}", number);
-    for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), ",");
-    return digits;
-}
 
 ScorePanel score_panel(const Session& session, const PinballScores& scores, bool is_demonstrating) {
     const auto& state = std::get<PinballState>(session.game());

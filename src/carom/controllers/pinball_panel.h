@@ -14,7 +14,4 @@ namespace carom {
 /// Pre: the session is a game of pinball.
 ScorePanel score_panel(const Session& session, const PinballScores& scores, bool is_demonstrating);
 
-/// Formats 1234567 as 1,234,567.
-std::string grouped(std::int64_t number);
-
 }  // namespace carom

@@ -6,11 +6,11 @@
 #include <array>
 #include <utility>
 
-#include "carom/controllers/pinball_panel.h"
 #include "carom/files/high_scores.h"
 #include "carom/files/recording.h"
 #include "carom/text/level_words.h"
 #include "game/rules/goal.h"
+#include "game/rules/rules.h"
 #include "terminal/canvas/character_width.h"
 #include "terminal/panels/pages.h"
 

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "carom/controllers/pinball_panel.h"
 #include "carom/files/high_scores.h"
 #include "carom/files/kept_recordings.h"
 #include "carom/files/menu_list.h"
@@ -14,6 +13,7 @@
 #include "carom/play/menu.h"
 #include "game/ai/opponents.h"
 #include "game/rules/goal.h"
+#include "game/rules/rules.h"
 
 namespace carom {
 namespace {

@@ -77,13 +77,10 @@ void end_game(Pinball game) {
 
 void end_ball(Pinball game) {
     PinballState& state = game.state;
-    const std::int64_t counted = state.bonus * state.multiplier * game.table().bonus;
-    if (counted > 0 && !state.is_tilted) {
-        state.score += counted;
-        game.say(
-            fmt::format("BONUS {} x {} x {}", state.bonus, game.table().bonus, state.multiplier),
-            counting_time);
-    }
+    const std::int64_t counted =
+        state.is_tilted ? 0 : state.bonus * state.multiplier * game.table().bonus;
+    state.score += counted;
+    game.say(counted > 0 ? fmt::format("BONUS {}", grouped(counted)) : "NO BONUS", counting_time);
     state.phase = Phase::counting;
     std::ranges::fill(state.rules.timer_ends, 0);
     state.phase_until = game.now() + game.ticks(counting_time);

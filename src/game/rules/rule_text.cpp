@@ -4,6 +4,14 @@
 
 namespace carom {
 
+std::string grouped(std::int64_t number) {
+    std::string digits = fmt::format("{}", number);
+    const int first = number < 0 ? 1 : 0;
+    for (auto at = static_cast<int>(digits.size()) - 3; at > first; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), ",");
+    return digits;
+}
+
 std::string text_of(const RuleBook& book, const RuleState& state, const RuleHost& host,
                     const RuleText& text) {
     std::string written;
@@ -11,10 +19,11 @@ std::string text_of(const RuleBook& book, const RuleState& state, const RuleHost
         if (const auto* words = std::get_if<std::string>(&piece)) {
             written += *words;
         } else if (const auto* value = std::get_if<RuleValue>(&piece)) {
-            written += fmt::format("{}", value_of(book, state, host, *value));
+            written += grouped(value_of(book, state, host, *value));
         } else if (const auto* counted = std::get_if<RuleText::Counted>(&piece)) {
             const std::int64_t count = value_of(book, state, host, counted->value);
-            written += fmt::format("{} {}", count, count == 1 ? counted->one : counted->other);
+            written +=
+                fmt::format("{} {}", grouped(count), count == 1 ? counted->one : counted->other);
         } else {
             const std::int64_t left =
                 seconds_left(state, host, std::get<RuleText::Clock>(piece).timer);

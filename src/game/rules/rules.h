@@ -75,6 +75,8 @@ std::int64_t value_of(const RuleBook& book, const RuleState& state, const RuleHo
                       const RuleValue& value);
 bool hold(const RuleBook& book, const RuleState& state, const RuleHost& host,
           const std::vector<RuleClause>& needs);
+/// Formats 1234567 as 1,234,567, as texts of rules do.
+std::string grouped(std::int64_t number);
 std::string text_of(const RuleBook& book, const RuleState& state, const RuleHost& host,
                     const RuleText& text);
 /// The first task whose conditions hold; null: there is none.

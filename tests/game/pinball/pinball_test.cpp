@@ -89,12 +89,14 @@ TEST_CASE("a ball that drains early is saved, a late one ends with its bonus") {
     game.send({200, 30}, {0.0, -1.0}, 0.1);
     CHECK(game.world.balls().size() == 0);
     CHECK(game.state().score == 3000);
-    CHECK(game.state().message == "BONUS 3 x 500 x 2");
+    CHECK(game.state().message == "BONUS 3,000");
     game.run(3.0);
     CHECK(game.state().ball == 2);
     REQUIRE(game.world.balls().size() == 1);
     game.run(3.0);
-    game.send({200, 30}, {0.0, -1.0}, 3.0);
+    game.send({200, 30}, {0.0, -1.0}, 0.1);
+    CHECK(game.state().message == "NO BONUS");
+    game.run(3.0);
     CHECK(game.state().phase == PinballState::Phase::over);
     CHECK(game.state().message.starts_with("GAME OVER"));
     // And another.
