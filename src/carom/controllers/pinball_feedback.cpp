@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "carom/controllers/pinball_panel.h"
 #include "game/pinball/pinball.h"
+#include "game/rules/rules.h"
 
 namespace carom {
 namespace {
@@ -18,7 +21,18 @@ bool PinballFeedback::is_at(const Session& session) {
     return std::holds_alternative<PinballState>(session.game());
 }
 
+// A future that is forgotten is one that the player has gone back to change.
+void PinballFeedback::note_rewind(PlayContext& play) {
+    const std::uint64_t before = std::exchange(latest_, play.session.latest());
+    if (latest_ == 0) return scores_.restart();
+    const PinballTable& table = play.session.scene().table;
+    if (latest_ >= before || !table.is_game || state_of(play).score == 0) return;
+    scores_.leave_out();
+    if (table.highscores > 0) say(play, "Rewound: this game is not for the high scores.");
+}
+
 void PinballFeedback::pass(PlayContext& play, double seconds) {
+    note_rewind(play);
     display_.follow(play.session, seconds);
     if (!play.clock.is_paused() && scores_.pass(seconds)) play.needs_draw = true;
 }

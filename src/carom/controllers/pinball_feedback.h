@@ -32,10 +32,13 @@ class PinballFeedback {
     void add_score(const PlayContext& play, HudInfo& info) const;
 
   private:
+    void note_rewind(PlayContext& play);
+
     PinballDisplay display_;
     PinballBell bell_;
     PinballScores scores_;
     std::string last_message_;  ///< the table's last message
+    std::uint64_t latest_ = 0;  ///< the latest tick of the session, when last looked at
 };
 
 }  // namespace carom

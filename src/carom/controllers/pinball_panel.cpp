@@ -51,7 +51,7 @@ std::string target_line(const Session& session, const PinballScores& scores) {
     return scores.scores().lines.empty() ? "" : "the best score so far";
 }
 
-/// Lights that go out by themselves: "GETAWAY 18 s".
+/// Lights that go out by themselves: "GETAWAY 18 s". Gates and posts that shut are no lights.
 std::vector<std::string> timer_lines(const Session& session) {
     const auto& state = std::get<PinballState>(session.game());
     const Scene& scene = session.scene();
@@ -61,6 +61,7 @@ std::vector<std::string> timer_lines(const Session& session) {
         const std::uint64_t until = state.lit_until[i];
         const std::uint64_t tick = session.world().tick();
         const std::uint32_t group = scene.table.devices[i].group;
+        if (traits(scene.table.devices[i].kind).light == DeviceLight::opening) continue;
         if (state.is_lit[i] == 0 || until <= tick || std::ranges::count(told, group) > 0) continue;
         told.push_back(group);
         const std::string& text = scene.dress.devices[i].text;

@@ -9,20 +9,25 @@
 namespace carom {
 
 void PinballScores::follow(const PinballState& state, bool is_demonstrating, bool is_watched) {
-    was_demonstrated_ = was_demonstrated_ || is_demonstrating;
+    is_left_out_ = is_left_out_ || is_demonstrating;
     if (state.phase != PinballState::Phase::over) {
-        if (state.games != last_game_ && state.score == 0) was_demonstrated_ = is_demonstrating;
+        if (state.games != last_game_ && state.score == 0) is_left_out_ = is_demonstrating;
         return;
     }
     if (state.games == last_game_ || is_watched) return;
     last_game_ = state.games;
-    if (was_demonstrated_) return;
+    if (is_left_out_) return;
     const std::vector<std::int64_t> scores = scores_of(state);
     asked_.clear();
     for (std::size_t i = 0; i < scores.size(); ++i)
         asked_.push_back({scores[i], scores.size() > 1 ? i + 1 : 0});
     std::ranges::stable_sort(asked_, std::ranges::greater{}, &Asked::score);
     ask_next();
+}
+
+void PinballScores::restart() {
+    last_game_ = 0;
+    is_left_out_ = false;
 }
 
 // Asks for the first of those whose score is still among the best.

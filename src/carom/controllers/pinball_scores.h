@@ -21,8 +21,13 @@ class PinballScores {
     const std::optional<HighScore>& newest() const { return newest_; }
 
     /// Asks each player for initials whose score is among the best when a game ends, the best
-    /// first. Not after a game that the demo took part in, nor in a recording (`watched`).
+    /// first. Not after a game that the demo took part in or that was left out, nor in a recording
+    /// (`watched`).
     void follow(const PinballState& state, bool is_demonstrating, bool is_watched);
+    /// This game is not for the list: its player went back and changed it.
+    void leave_out() { is_left_out_ = true; }
+    /// The table stands as at the start, where its games are counted anew.
+    void restart();
     /// The initials typed so far; none: they are not being asked for.
     const std::optional<std::string>& initials() const { return initials_; }
     /// Whose they are, from 1; 0: one person played. Pre: they are being asked for.
@@ -52,8 +57,8 @@ class PinballScores {
     double idle_ = 0.0;         ///< s since the last key
     std::optional<HighScore> written_;
     std::optional<HighScore> newest_;
-    bool was_demonstrated_ = false;  ///< at some point of this game
-    std::uint64_t last_game_ = 0;    ///< the game whose end has been handled
+    bool is_left_out_ = false;     ///< this game
+    std::uint64_t last_game_ = 0;  ///< the game whose end has been handled
 };
 
 }  // namespace carom

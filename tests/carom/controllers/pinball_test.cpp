@@ -10,6 +10,7 @@
 
 #include "carom/controllers/pinball_bell.h"
 #include "carom/controllers/pinball_input.h"
+#include "carom/controllers/pinball_panel.h"
 #include "carom/play/program.h"
 #include "level/load.h"
 #include "support/terminal_program.h"
@@ -206,6 +207,60 @@ TEST_CASE("initials that nobody completes are kept, and then the demo plays") {
         is_played = table.sees("DEMONSTRATION");
     }
     CHECK(is_played);
+}
+
+TEST_CASE(
+    "a game that is rewound and changed asks for no initials; one that is watched again does") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    for (const bool changes : {false, true}) {
+        CAPTURE(changes);
+        AtTable table(home);
+        table.pass(1.0);
+        table.key(key::enter);
+        table.pass(2.6);
+        REQUIRE(table.sees("NO BONUS"));
+        table.key(U'<');
+        table.pass(0.1);
+        if (changes) table.key(U'z');
+        table.pass(0.1);
+        CHECK(table.sees("Rewound: this game is not for the high scores.") == changes);
+        table.pass(8.0);
+        CHECK(table.sees("YOUR INITIALS") == !changes);
+    }
+}
+
+TEST_CASE("a game after a restart asks for initials, like the one before it") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    AtTable table(home);
+    for (int game = 0; game < 2; ++game) {
+        CAPTURE(game);
+        table.pass(1.0);
+        table.key(key::enter);
+        table.pass(8.0);
+        REQUIRE(table.sees("YOUR INITIALS"));
+        table.key(key::escape);
+        CHECK_FALSE(table.sees("YOUR INITIALS"));
+        table.key(U'r');
+    }
+}
+
+TEST_CASE("the panel lists lights that go out, and no gate or post") {
+    std::string text = short_game;
+    text += "post bolt 100,300 140,300 r=2\non ball launch open bolt 3s, light lane 3s\n";
+    Session session = session_of(text.c_str());
+    for (const bool is_down : {true, false}) {
+        for (int tick = 0; tick < 500; ++tick)
+            session.step_forward();
+        REQUIRE_FALSE(session.apply(command::Press{Button::plunger, is_down}).has_value());
+    }
+    session.step_forward();
+    std::string lines;
+    for (const std::string& line : score_panel(session, {}, false).lines)
+        lines += line + '\n';
+    CHECK(lines.find("lane  3 s") != std::string::npos);
+    CHECK(lines.find("bolt") == std::string::npos);
 }
 
 TEST_CASE("with key releases, the first press already holds the flipper up") {
