@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "game/ai/pinball_trial.h"
 #include "game/pinball/pinball.h"
+#include "game/pinball/pinball_table.h"
+#include "game/support/shipped.h"
 #include "game/support/small_table.h"
 
 // What the rules of a table can set as goals: lit shots, players, the replay award.
@@ -163,6 +166,29 @@ TEST_CASE("an extra ball does not hide the message of the same shot, and is told
     SmallTable alone("game pinball save=0s\non pops hit extraball\n");
     alone.send({200, 460}, {0.0, 1.0});
     CHECK(alone.state().message == "EXTRA BALL");
+}
+
+TEST_CASE("a mode that fails is taken up with its count") {
+    const Scene scene = test::shipped_level("three-bumpers");
+    World world = scene.world;
+    GameState game = begin_game(scene);
+    auto& state = std::get<PinballState>(game);
+    const Pinball table{scene, world, state};
+    const auto hit_all = [&](std::string_view name, int times) {
+        for (const DeviceGroup& group : scene.table.groups)
+            for (int i = 0; group.name == name && i < times; ++i)
+                apply_rules(table, group.devices[static_cast<std::size_t>(i)], RuleEvent::hit);
+    };
+    run_rules(table);
+    hit_all("bumps", 1);  // the skill shot is over
+    hit_all("west", 3);
+    CHECK(task_text(scene, world, state) == "HIT THE BUMPERS: 12 MORE  0:30");
+    hit_all("bumps", 3);
+    world.edit_tick() += static_cast<std::uint64_t>(31.0 * world.rate());
+    run_rules(table);
+    CHECK(state.message == "TIME IS UP: 9 MORE NEXT TIME");
+    hit_all("east", 3);
+    CHECK(task_text(scene, world, state) == "HIT THE BUMPERS: 9 MORE  0:30");
 }
 
 TEST_CASE("a table asks for no shot before the rules have begun the turn") {
