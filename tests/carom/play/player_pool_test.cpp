@@ -205,7 +205,7 @@ struct AfterBreak : Person {
 }  // namespace
 
 TEST_CASE("a pull from the cue ball keeps the aim, however it turns, and full power fits") {
-    for (const std::uint8_t button : {1, 3}) {
+    for (const std::uint8_t button : {std::uint8_t{1}, std::uint8_t{3}}) {
         AfterBreak person;
         const Vec2 from = person.cue();
         const Vec2 way = person.aim_at({from.x > 0.0 ? 1.2 : -1.2, from.y});
@@ -221,7 +221,7 @@ TEST_CASE("a pull from the cue ball keeps the aim, however it turns, and full po
 
 TEST_CASE("where the window ends behind the cue ball, the pull is full at its edge") {
     using enum InputEvent::Action;
-    for (const std::uint8_t button : {1, 3}) {
+    for (const std::uint8_t button : {std::uint8_t{1}, std::uint8_t{3}}) {
         AfterBreak person;
         const Vec2 from = person.cue();
         const Vec2 way = person.aim_at({from.x > 0.0 ? -1.0 : 1.0, from.y});
