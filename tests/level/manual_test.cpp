@@ -119,6 +119,7 @@ TEST_CASE("the six steps of the manual add up to the whole game, and each of the
     const std::size_t begin = text.find("### A game in six steps");
     const std::size_t end = text.find("This is the whole game", begin);
     REQUIRE(end != std::string::npos);
+    const std::string chapter = text.substr(begin, end - begin);
     std::string game;
     int steps = 0;
     bool is_fenced = false;
@@ -127,7 +128,7 @@ TEST_CASE("the six steps of the manual add up to the whole game, and each of the
         CAPTURE(steps);
         CHECK(load_level(game, "first-game.level", {}).scene.has_value());
     };
-    for (const std::string_view line : split_lines(text.substr(begin, end - begin))) {
+    for (const std::string_view line : split_lines(chapter)) {
         if (line.starts_with("```")) is_fenced = line != "```";
         if (line.starts_with("**")) {
             check_step();
