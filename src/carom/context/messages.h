@@ -25,7 +25,7 @@ class Messages {
     void end_message() {
         if (!message_.is_error) seconds_left_ = 0.0;
     }
-    /// What was in the way of the held body is so no longer.
+    /// Nothing is in the way of the held body any more.
     void end_obstacle() {
         if (message_.is_error && message_.place) seconds_left_ = 0.0;
     }

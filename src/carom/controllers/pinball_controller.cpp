@@ -128,7 +128,8 @@ bool PinballController::take_mouse(PlayContext& play, const InputEvent& event) {
     return true;
 }
 
-/// A game does not end by one stray key: true, until the key is pressed again in time.
+/// One stray key must not end a game. Returns true and asks, unless the key has been pressed twice
+/// in time.
 bool PinballController::keeps_game(PlayContext& play) {
     constexpr double time_to_confirm = 3.0;  // s
     if (demo_ || !is_in_pinball_game(play.session) || restart_left_ > 0.0) return false;

@@ -21,7 +21,7 @@ bool PinballFeedback::is_at(const Session& session) {
     return std::holds_alternative<PinballState>(session.game());
 }
 
-// A future that is forgotten is one that the player has gone back to change.
+// Whoever steps back and then changes the game discards what had followed.
 void PinballFeedback::note_rewind(PlayContext& play) {
     const std::uint64_t before = std::exchange(latest_, play.session.latest());
     if (latest_ == 0) return scores_.restart();

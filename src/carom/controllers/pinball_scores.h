@@ -24,7 +24,7 @@ class PinballScores {
     /// first. Not after a game that the demo took part in or that was left out, nor in a recording
     /// (`watched`).
     void follow(const PinballState& state, bool is_demonstrating, bool is_watched);
-    /// This game is not for the list: its player went back and changed it.
+    /// The player went back and changed this game, so it is left out of the high scores.
     void leave_out() { is_left_out_ = true; }
     /// The table stands as at the start, where its games are counted anew.
     void restart();

@@ -56,7 +56,7 @@ void PoolController::after_ticks(PlayContext& play, double) {
     // While nothing is aimed, the status line says it.
     if (!outcome || *outcome == line(play)) return;
     say(play, *outcome);
-    // Who has looked away still learns why the cue ball is in hand.
+    // It stays, so a player who looked away can still read why the cue ball is in hand.
     if (!players_.is_opponents_turn(play.session)) play.messages.keep_message();
 }
 

@@ -54,7 +54,7 @@ constexpr std::string_view temporary_ending = ".XXXXXX.tmp";
 constexpr std::size_t longest_name = 255;    // bytes, of the usual file systems
 constexpr std::time_t abandoned_after = 60;  // s
 
-// A temporary file is called after its target, of which the end is left out if it has no room.
+// A temporary file is named after its target, cut short where the name would be too long.
 std::string_view stem_of_temporaries(std::string_view target) {
     return target.substr(0, longest_name - temporary_ending.size());
 }

@@ -76,7 +76,7 @@ class InvariantCheck {
     void remember(const World& world);
     static Pair pair_with_edge(BallId ball, CapsuleId edge);
     bool is_exempt(const Pair& pair) const;
-    /// The pair counts no longer, until it has separated. `share`: of the smaller radius, by which
+    /// Leaves the pair out until it has separated. `share`: of the smaller radius, by which
     /// it overlaps. Afterwards `exempt_` and `lifted_` must be sorted.
     void exempt(const Pair& pair, double share, const Breach& bodies);
     /// visit(pair, depth, smaller radius, ball, other ball or none, edge or none) of all overlaps.

@@ -17,9 +17,9 @@ class RuleLog {
     ///
     ///     tick 452, 3.767 s: hits 1, score1 6, "1 hit: 1 point"
     ///
-    /// A variable of `player` has the player's number behind its name. Conditions
-    /// are tested before the rules of their event act, so a rule whose condition holds for the old
-    /// value of a variable or the new one alone is told with the value that it saw:
+    /// A variable of `player` has the player's number behind its name. Conditions are tested before
+    /// the rules of their event act. If a rule's condition holds for only one of a variable's old
+    /// and new values, the line shows the value that it tested:
     ///
     ///     tick 452, 3.767 s: hits 3; line 23 tested hits at 2
     ///

@@ -156,7 +156,7 @@ TEST_CASE("the replay award is an extra ball, once a game") {
     CHECK(game.state().phase == PinballState::Phase::over);
 }
 
-TEST_CASE("an extra ball does not hide the message of the same shot, and is told after it") {
+TEST_CASE("the message of an extra ball comes after the other message of the same shot") {
     SmallTable game("game pinball save=0s\non pops hit message \"MULTIBALL\", extraball\n");
     game.send({200, 460}, {0.0, 1.0});
     CHECK(game.state().extra_balls == 1);

@@ -61,7 +61,7 @@ TEST_CASE("a break that leaves a choice says why") {
           "Pocketed: 8. The 8 fell on the break. Player 1 chooses.");
 }
 
-TEST_CASE("who loses by the 8 is told why") {
+TEST_CASE("a player who loses on the 8 reads why") {
     const PoolShot eight{.first_hit = 8, .pocketed = {{8, 3}}};
     CHECK(told(after(solids_left({}), eight, eight_in_pocket_2)) ==
           "Pocketed: 8. The 8 fell, but not as called. Player 2 wins the frame.");
@@ -119,7 +119,7 @@ TEST_CASE("a turn that passes without a foul says that no ball fell") {
     CHECK(told(after(solids_left({1, 4}), miss)) == "No ball fell. Player 2 shoots.");
 }
 
-TEST_CASE("the third foul in a row of straight pool is told as such") {
+TEST_CASE("the ruling names the third foul in a row in straight pool") {
     PoolState state = rack("straightpool");
     state.phase = PoolPhase::playing;
     state.in_hand = CueInHand::no;

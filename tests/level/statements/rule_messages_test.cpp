@@ -7,8 +7,8 @@
 
 using namespace carom;
 
-// What an author is told who writes rules for the first time. The words matter here: a message is
-// of use if it names the fault and a form that the language accepts.
+// The messages that a first-time author meets. A message helps if it names the fault and a form
+// that the language accepts, so the tests compare the words.
 namespace {
 
 constexpr std::string_view table = R"(carom 1 "A table with rules"
@@ -58,7 +58,7 @@ TEST_CASE("rules: the table of these tests has no faults of its own") {
     CHECK(load("").diagnostics.empty());
 }
 
-TEST_CASE("rules: events that do not exist are told with those that do") {
+TEST_CASE("rules: the message about an unknown event lists the events that exist") {
     constexpr Told cases[] = {
         {"on shots ends  score 1", "'shots' neither begins nor ends", "'shot'"},
         {"on patience ends  turn", "'patience' neither begins", "timer patience 20s"},
@@ -80,7 +80,7 @@ TEST_CASE("rules: events that do not exist are told with those that do") {
         check_that(told);
 }
 
-TEST_CASE("rules: conditions from other languages are told in this one") {
+TEST_CASE("rules: conditions from other languages get their form in this one") {
     constexpr Told cases[] = {
         {"on shot ends hits>1  score 1", "'hits>1' is a condition", "write if before it"},
         {"on shot ends if hits=>1  score 1", "no '=>'", ">="},
@@ -109,7 +109,7 @@ TEST_CASE("rules: conditions from other languages are told in this one") {
         check_that(told);
 }
 
-TEST_CASE("rules: actions and variables from other languages are told in this one") {
+TEST_CASE("rules: actions and variables from other languages get their form in this one") {
     constexpr Told cases[] = {
         {"on shot ends  score = score + 1", "without '='", "score +1"},
         {"on shot ends  hits=hits+1", "blank is missing", "hits +1"},
@@ -230,7 +230,7 @@ TEST_CASE("rules that resemble those without effect are not warned of") {
     }
 }
 
-TEST_CASE("a name that is taken is told with what has it, and where") {
+TEST_CASE("the message about a taken name says what has it, and where") {
     constexpr Told cases[] = {
         {"ball red at=500,500 kind=ivory", "taken by the ball in line 9", "of its own"},
         {"zone red 500,500 500,500 r=9", "taken by the ball in line 9", "choose another"},
