@@ -22,6 +22,7 @@ class PinballController;
 enum class Where : std::uint8_t {
     anywhere,
     playing,  ///< not while a recording is watched
+    editing,  ///< changes the scene: not while a recording is watched, nor in a game of pinball
     pool,     ///< at pool tables
     pinball   ///< at pinball tables
 };

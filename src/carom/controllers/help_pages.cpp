@@ -109,6 +109,8 @@ std::uint8_t pages_of(Where where) {
             return in_all;
         case Where::playing:
             return in_all & ~watched;
+        case Where::editing:
+            return in_free | at_table;
         case Where::pool:
             return at_table;
         case Where::pinball:

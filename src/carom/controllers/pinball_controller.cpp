@@ -139,6 +139,8 @@ bool PinballController::keeps_game(PlayContext& play) {
 }
 
 void PinballController::perform(PlayContext& play, const Action& action) {
+    if (action.where == Where::editing && play.session.scene().table.is_game)
+        return say(play, "Disabled under rules.");
     if (action.name == "restart") {
         if (keeps_game(play)) return;
         restart_left_ = 0.0;

@@ -62,6 +62,7 @@ void add_first_hints(const PlayContext& play, Hints& hints) {
         hints.add("pause", is_paused ? "resume" : "pause");
     } else if (is_paused) {
         hints.add("pause", "resume");
+        if (play.controller->kind() == PlayKind::pinball) return;  // keys of the table
         hints.add("step-forward", "step");
         hints.add("step-back", "step back");
         hints.add("next-collision", "next collision");

@@ -158,8 +158,12 @@ std::optional<std::string> refusal(const Scene& scene, const World& world, const
         return refusal(scene, world, *shots, command);
     const auto* press = std::get_if<command::Press>(&command);
     const auto* pull = std::get_if<command::Pull>(&command);
-    if ((!press && !pull) || !std::holds_alternative<PinballState>(game))
+    const bool is_pinball = std::holds_alternative<PinballState>(game);
+    if ((!press && !pull) || !is_pinball) {
+        const bool changes = !std::holds_alternative<command::SetSolver>(command);
+        if (is_pinball && scene.table.is_game && changes) return "Disabled under rules.";
         return refusal(world, command);
+    }
     if (pull && !(pull->share >= 0.0 && pull->share <= 1.0))
         return "a plunger is pulled by 0 to 1 of its way";
     if (has_button(scene, press ? press->button : Button::plunger)) return std::nullopt;

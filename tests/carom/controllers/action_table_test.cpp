@@ -15,7 +15,9 @@ using namespace carom;
 namespace {
 
 std::string_view where_text(Where where) {
-    constexpr std::string_view texts[] = {"everywhere", "not in a recording", "pool", "pinball"};
+    constexpr std::string_view texts[] = {"everywhere", "not in a recording",
+                                          "not in a recording or a game of pinball", "pool",
+                                          "pinball"};
     return texts[static_cast<std::size_t>(where)];
 }
 
@@ -69,7 +71,7 @@ TEST_CASE("an action's effect fits where it applies") {
             std::holds_alternative<void (*)(PoolController&, PlayContext&)>(action.perform);
         const bool is_for_all = std::holds_alternative<void (*)(PlayContext&)>(action.perform);
         CHECK(is_for_pool == (action.where == Where::pool));
-        CHECK(is_for_all == (action.where == Where::anywhere || action.where == Where::playing));
+        CHECK(is_for_all == (action.where < Where::pool));
     }
 }
 

@@ -136,6 +136,23 @@ on lanes enter  score 1
     CHECK(scores_of(game.state()) == std::vector<std::int64_t>{0});
 }
 
+TEST_CASE("the rules of a table leave a player its buttons alone") {
+    const auto answer = [](const SmallTable& game, const Command& command) {
+        return refusal(game.scene, game.world, game.game, command);
+    };
+    const SmallTable game("game pinball\n");
+    const SmallTable parts("");
+    const Command changes[] = {command::SetGravity{}, command::Strike{BallId{0}, {1.0, 0.0}},
+                               command::HoldBall{BallId{0}, {0.2, 0.3}},
+                               command::PlaceBall{BallId{0}, {0.2, 0.2}}};
+    for (const Command& change : changes) {
+        CHECK(answer(game, change) == "Disabled under rules.");
+        CHECK(answer(parts, change) == std::nullopt);
+    }
+    CHECK(answer(game, command::Press{Button::left_flipper, true}) == std::nullopt);
+    CHECK(answer(game, command::Pull{0.5, false}) == std::nullopt);
+}
+
 TEST_CASE("a table without players= has no button for another player") {
     const SmallTable game("game pinball\n");
     CHECK_FALSE(has_button(game.scene, Button::add_player));
