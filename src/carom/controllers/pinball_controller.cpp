@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,21 @@ namespace {
 
 constexpr const char* demo_help = "carom plays: any key of the table takes over";
 constexpr const char* attract_help = "carom plays: any key starts a game";
+
+/// An action that costs a game something, so that one stray key must not perform it.
+struct Risk {
+    std::string_view action;
+    const char* effect;
+    bool costs_place;  ///< among the high scores, and nothing else
+};
+constexpr Risk risks[] = {
+    {"restart", "end this game.", false},
+    {"second-forward", "skip a second.", false},
+    {"second-back", "go back: no high score then.", true},
+    {"step-back", "go back: no high score then.", true},
+    {"slower", "slow down: no high score then.", true},
+    {"demo", "watch carom play: no high score then.", true},
+};
 
 /// Applies presses for which the table has a device.
 void press_buttons(PlayContext& play, const std::vector<command::Press>& presses) {
@@ -128,23 +144,25 @@ bool PinballController::take_mouse(PlayContext& play, const InputEvent& event) {
     return true;
 }
 
-/// One stray key must not end a game. Returns true and asks, unless the key has been pressed twice
-/// in time.
-bool PinballController::keeps_game(PlayContext& play) {
+/// Returns true and asks, if the action would cost the game something, unless its key has just been
+/// pressed before.
+bool PinballController::asks_first(PlayContext& play, const Action& action) {
     constexpr double time_to_confirm = 3.0;  // s
-    if (demo_ || !is_in_pinball_game(play.session) || restart_left_ > 0.0) return false;
-    restart_left_ = time_to_confirm;
-    say(play, fmt::format("Press {} again to end this game.", play.keys.hint("restart")));
-    return true;
+    const auto* const risk = std::ranges::find(risks, action.name, &Risk::action);
+    if (risk == std::end(risks) || demo_ || !is_in_pinball_game(play.session)) return false;
+    if (risk->costs_place && !feedback_.may_enter(play)) return false;
+    const bool is_confirmed = confirm_left_ > 0.0 && asked_ == action.name;
+    asked_ = action.name;
+    confirm_left_ = time_to_confirm;
+    if (!is_confirmed)
+        say(play, fmt::format("Press {} again to {}", play.keys.hint(action.name), risk->effect));
+    return !is_confirmed;
 }
 
 void PinballController::perform(PlayContext& play, const Action& action) {
     if (action.where == Where::editing && play.session.scene().table.is_game)
         return say(play, "Disabled under rules.");
-    if (action.name == "restart") {
-        if (keeps_game(play)) return;
-        restart_left_ = 0.0;
-    }
+    if (asks_first(play, action)) return;
     using AtPinball = void (*)(PinballController&, PlayContext&);
     if (const auto* perform = std::get_if<AtPinball>(&action.perform))
         return (*perform)(*this, play);
@@ -153,7 +171,7 @@ void PinballController::perform(PlayContext& play, const Action& action) {
 
 void PinballController::pass(PlayContext& play, double seconds) {
     learn_keys(play);
-    restart_left_ = std::max(0.0, restart_left_ - seconds);
+    confirm_left_ = std::max(0.0, confirm_left_ - seconds);
     press_buttons(play, input_.pass(seconds));
     attract(play, seconds);
     feedback_.pass(play, seconds);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "carom/controllers/free_controller.h"
 #include "carom/controllers/pinball_feedback.h"
@@ -44,7 +45,7 @@ class PinballController : public FreeController {
     bool take_mouse(PlayContext& play, const InputEvent& event);
     void learn_keys(PlayContext& play);
     void end_demo(PlayContext& play);
-    bool keeps_game(PlayContext& play);
+    bool asks_first(PlayContext& play, const Action& action);
     void attract(PlayContext& play, double seconds);
     void end_attract(PlayContext& play);
     void press_key(PlayContext& play, Button button, const InputEvent& event);
@@ -54,7 +55,8 @@ class PinballController : public FreeController {
     PinballFeedback feedback_;
     double idle_ = 0.0;  ///< s since the last key while the table waits for a player
     bool attracts_ = false;
-    double restart_left_ = 0.0;  ///< s in which the key for a restart ends the game
+    std::string_view asked_;     ///< the action whose key must be pressed again
+    double confirm_left_ = 0.0;  ///< s in which that key performs it
 };
 
 /// Whether a game of pinball has begun, by its first launch, and is not over. It is kept when the

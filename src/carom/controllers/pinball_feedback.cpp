@@ -21,18 +21,30 @@ bool PinballFeedback::is_at(const Session& session) {
     return std::holds_alternative<PinballState>(session.game());
 }
 
-// Whoever steps back and then changes the game discards what had followed.
-void PinballFeedback::note_rewind(PlayContext& play) {
+bool PinballFeedback::may_enter(const PlayContext& play) const {
+    const PinballTable& table = play.session.scene().table;
+    return table.is_game && table.highscores > 0 && state_of(play).score > 0 &&
+           !scores_.is_left_out() && !is_watching(play);
+}
+
+void PinballFeedback::leave_out(PlayContext& play, const char* why) {
+    if (!may_enter(play)) return;
+    scores_.leave_out();
+    say(play, fmt::format("{}: this game is not for the high scores.", why));
+}
+
+// Whoever steps back and then changes the game discards what had followed. In slow motion a table
+// is easier to play.
+void PinballFeedback::note_time(PlayContext& play) {
     const std::uint64_t before = std::exchange(latest_, play.session.latest());
     if (latest_ == 0) return scores_.restart();
-    const PinballTable& table = play.session.scene().table;
-    if (latest_ >= before || !table.is_game || state_of(play).score == 0) return;
-    scores_.leave_out();
-    if (table.highscores > 0) say(play, "Rewound: this game is not for the high scores.");
+    if (latest_ < before) leave_out(play, "Rewound");
+    const bool is_over = state_of(play).phase == PinballState::Phase::over;
+    if (latest_ > before && play.clock.speed() < 1.0 && !is_over) leave_out(play, "Slow motion");
 }
 
 void PinballFeedback::pass(PlayContext& play, double seconds) {
-    note_rewind(play);
+    note_time(play);
     display_.follow(play.session, seconds);
     if (!play.clock.is_paused() && scores_.pass(seconds)) play.needs_draw = true;
 }

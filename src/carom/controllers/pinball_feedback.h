@@ -17,6 +17,9 @@ class PinballFeedback {
     PinballScores& scores() { return scores_; }
     const PinballScores& scores() const { return scores_; }
 
+    /// Whether the game has scored, and its score may enter the high scores.
+    bool may_enter(const PlayContext& play) const;
+
     void pass(PlayContext& play, double seconds);
     /// Rings the bell, asks for initials, and shows the table's messages: in the score panel where
     /// there is one, so that the hints stay visible.
@@ -32,7 +35,8 @@ class PinballFeedback {
     void add_score(const PlayContext& play, HudInfo& info) const;
 
   private:
-    void note_rewind(PlayContext& play);
+    void note_time(PlayContext& play);
+    void leave_out(PlayContext& play, const char* why);
 
     PinballDisplay display_;
     PinballBell bell_;

@@ -24,8 +24,9 @@ class PinballScores {
     /// first. Not after a game that the demo took part in or that was left out, nor in a recording
     /// (`watched`).
     void follow(const PinballState& state, bool is_demonstrating, bool is_watched);
-    /// The player went back and changed this game, so it is left out of the high scores.
+    /// Leaves this game out of the high scores: its player went back and changed it, or slowed it.
     void leave_out() { is_left_out_ = true; }
+    bool is_left_out() const { return is_left_out_; }
     /// The table stands as at the start, where its games are counted anew.
     void restart();
     /// The initials typed so far; none: they are not being asked for.

@@ -221,6 +221,7 @@ TEST_CASE(
         table.pass(2.6);
         REQUIRE(table.sees("NO BONUS"));
         table.key(U'<');
+        table.key(U'<');
         table.pass(0.1);
         if (changes) table.key(U'z');
         table.pass(0.1);
@@ -541,6 +542,55 @@ TEST_CASE("one stray key does not end a game, two do") {
     CHECK(table.sees("Press r again to end this game."));
     table.key(U'r');
     CHECK(table.sees("Restarted."));
+}
+
+TEST_CASE("one stray key does not cost a game its place among the high scores, two do") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    for (const char32_t risk : {U'<', U',', U'-', U'd'}) {
+        for (const bool twice : {false, true}) {
+            CAPTURE(static_cast<char>(risk));
+            CAPTURE(twice);
+            AtTable table(home);
+            table.pass(1.0);
+            table.key(key::enter);
+            table.pass(2.6);
+            REQUIRE(table.sees("NO BONUS"));
+            table.key(risk);
+            CHECK(table.sees("no high score then."));
+            if (twice) table.key(risk);
+            table.pass(0.1);
+            table.key(U'z');
+            if (twice && risk == U',') table.key(U' ');  // stepping pauses
+            table.pass(12.0);
+            CHECK(table.sees("YOUR INITIALS") == !twice);
+        }
+    }
+}
+
+TEST_CASE("a game in slow motion asks for no initials") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    AtTable table(home);
+    table.key(U'-');
+    table.pass(2.0);
+    table.key(key::enter);
+    bool is_told = false;
+    for (int i = 0; i < 80 && !is_told; ++i) {
+        table.pass(0.1);
+        is_told = table.sees("Slow motion: this game is not for the high scores.");
+    }
+    CHECK(is_told);
+    table.pass(20.0);
+    CHECK(table.sees("GAME OVER"));
+    CHECK_FALSE(table.sees("YOUR INITIALS"));
+    // Nothing is said of the next game while it is as fast as the table.
+    table.key(U'*');
+    table.key(key::enter);
+    table.pass(1.0);
+    table.key(key::enter);
+    table.pass(12.0);
+    CHECK(table.sees("YOUR INITIALS"));
 }
 
 TEST_CASE("in a game of pinball no key changes the scene, and the hints name no key of the table") {
