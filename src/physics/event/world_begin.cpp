@@ -65,6 +65,7 @@ auto WorldSync<Real>::begin_from(const World& world) -> Begun {
 template <typename Real>
 void WorldSync<Real>::apply_changes(const World& world) {
     changed_.clear();
+    note_collisions();
     for (std::uint32_t i = 0; i < balls_.size(); ++i) {
         if (is_position_unchanged(i) && is_velocity_unchanged(i) && is_rotation_unchanged(i))
             continue;
@@ -85,11 +86,18 @@ void WorldSync<Real>::apply_changes(const World& world) {
     }
     std::sort(changed_.begin(), changed_.end());
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-    // A rebuild would forget the collisions too.
     for (const std::uint32_t i : changed_)
-        balls_[i].line.recent_collisions = 0;
+        balls_[i].line.recent_collisions = collisions_[i];
     for (const std::uint32_t i : changed_)
         rest_.settle(i);
+}
+
+// The counts with which balls start new trajectories, whatever has changed them.
+template <typename Real>
+void WorldSync<Real>::note_collisions() {
+    collisions_.resize(balls_.size());
+    for (std::uint32_t i = 0; i < balls_.size(); ++i)
+        collisions_[i] = guard_.remaining(i);
 }
 
 template <typename Real>
@@ -117,6 +125,7 @@ void WorldSync<Real>::rebuild(const World& world) {
         for (std::uint32_t i = 0; i < count; ++i)
             is_kept_[i] = is_kept_[i] && !has_passed_an_edge(i);
     drop_unsupported();
+    note_collisions();
     space_.rebuild();
     for (std::uint32_t i = 0; i < count; ++i)
         start_or_shift(world, i);
@@ -214,6 +223,7 @@ void WorldSync<Real>::start_or_shift(const World& world, std::uint32_t ball) {
     if (world.model().spin)
         trajectories_.spin(ball) = {scene_.now, Real(world.balls().spin[ball]), Real{}, false};
     trajectories_.start(ball, scene_.now, Vector<Real>(world.balls().position[ball]), velocity);
+    balls_[ball].line.recent_collisions = collisions_[ball];
     if (is_held)
         trajectories_.hold(ball);
     else if (world.model().cloth)

@@ -84,6 +84,7 @@ class WorldSync {
     // world_begin.cpp
     Begun begin_from(const World& world);
     void apply_changes(const World& world);
+    void note_collisions();
     void rebuild(const World& world);
     void take_stored(const World& world, const BallTable<Real>& before);
     void take_spins(const World& world);
@@ -135,9 +136,10 @@ class WorldSync {
     bool is_rebuilt_ = false;
     bool is_unchanged_ = false;  ///< nobody has moved or pushed a ball since the last tick
     std::vector<std::uint32_t> changed_;
-    std::vector<std::uint32_t> moving_;    ///< balls that `write_states` has written
-    std::vector<std::uint8_t> is_kept_;    ///< by ball: its stored trajectory holds
-    std::vector<std::int64_t> spin_from_;  ///< by ball: index of its stored spin; -1: none
+    std::vector<std::uint32_t> collisions_;  ///< by ball: CollapseGuard::remaining
+    std::vector<std::uint32_t> moving_;      ///< balls that `write_states` has written
+    std::vector<std::uint8_t> is_kept_;      ///< by ball: its stored trajectory holds
+    std::vector<std::int64_t> spin_from_;    ///< by ball: index of its stored spin; -1: none
 };
 
 }  // namespace carom

@@ -12,6 +12,12 @@ Real CollapseGuard<Real>::fall_time(std::uint32_t ball) const {
     return square_root(Real(2.0) * balls_.radius(ball) / length(scene_.field.gravity));
 }
 
+// How often a collision could have followed in quick succession since then. Pre: gravity.
+template <typename Real>
+double CollapseGuard<Real>::pauses_since(std::uint32_t ball, const Real& time) const {
+    return static_cast<double>((scene_.now - time) / (fall_time(ball) * Real(quick_succession)));
+}
+
 template <typename Real>
 std::uint32_t CollapseGuard<Real>::count(std::uint32_t ball, const Trajectory<Real>& before,
                                          const Vector<Real>& position) const {
@@ -20,9 +26,21 @@ std::uint32_t CollapseGuard<Real>::count(std::uint32_t ball, const Trajectory<Re
         const Real distance = length(position - before.position);
         return distance < Real(contact_slop) * balls_.radius(ball) ? one_more(collisions) : 0;
     }
-    const Real quick = fall_time(ball) * Real(quick_succession);
-    const double pauses = static_cast<double>((scene_.now - before.time) / quick);
+    const double pauses = pauses_since(ball, before.time);
     if (pauses < 1.0) return one_more(collisions);
+    return pauses < collisions ? collisions - static_cast<std::uint32_t>(pauses) : 0;
+}
+
+template <typename Real>
+std::uint32_t CollapseGuard<Real>::remaining(std::uint32_t ball) const {
+    const LinearPart<Real>& line = balls_[ball].line;
+    const std::uint32_t collisions = line.recent_collisions;
+    if (collisions == 0) return 0;
+    if (!scene_.world->model().gravity) {
+        const Real distance = length(trajectories_.position_now(ball) - line.position);
+        return distance < Real(contact_slop) * balls_.radius(ball) ? collisions : 0;
+    }
+    const double pauses = std::max(0.0, pauses_since(ball, line.time));
     return pauses < collisions ? collisions - static_cast<std::uint32_t>(pauses) : 0;
 }
 

@@ -51,6 +51,9 @@ class CollapseGuard {
     /// `position` where it is.
     std::uint32_t count(std::uint32_t ball, const Trajectory<Real>& before,
                         const Vector<Real>& position) const;
+    /// What is left of the count now, if no impact ends the trajectory, but the stop speed, the
+    /// speed limit or a player: collisions accumulate all the same.
+    std::uint32_t remaining(std::uint32_t ball) const;
     /// After the impact: freezes the ball if its count says so. Fast balls that rattle in a narrow
     /// place are not frozen, nor are resting or held ones.
     void freeze_if_due(std::uint32_t ball, bool is_jammed);
@@ -73,6 +76,7 @@ class CollapseGuard {
 
   private:
     bool may_be_clustered(std::uint32_t ball) const;
+    double pauses_since(std::uint32_t ball, const Real& time) const;
     Real fall_time(std::uint32_t ball) const;
 
     const EventScene<Real>& scene_;

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include "physics/event/motion/event_memory.h"
 #include "physics/event/motion/tolerances.h"
+#include "physics/solver.h"
 #include "physics/support/event_parts.h"
 #include "physics/support/scenes.h"
+#include "physics/world/solver_access.h"
 
 using namespace carom;
 
@@ -41,6 +44,43 @@ TEST_CASE("collapse guard: without gravity, collisions in place count") {
     before.recent_collisions = 10;
     CHECK(parts.guard.count(0, before, {0.5 * contact_slop, 0.0}) == 11);
     CHECK(parts.guard.count(0, before, {2.0 * contact_slop, 0.0}) == 0);
+}
+
+TEST_CASE("collapse guard: the count remains if no impact ends a trajectory, and pauses reset it") {
+    for (const bool has_gravity : {true, false}) {
+        CAPTURE(has_gravity);
+        EventParts parts(one_ball(has_gravity, {1.0, 0.0}));
+        parts.balls[0].line.recent_collisions = 10;
+        CHECK(parts.guard.remaining(0) == 10);
+        parts.scene.now += 3.5 * 0.5 * quick_succession;
+        CHECK(parts.guard.remaining(0) == (has_gravity ? 7 : 0));
+        parts.scene.now += 1.0;
+        CHECK(parts.guard.remaining(0) == 0);
+    }
+}
+
+// Regression: balls that the stop speed stops began to count anew in every tick. Under weak gravity
+// such balls sank into one another without end (check-scenes 4005571). The speed limit changes
+// velocities in the same place.
+TEST_CASE("collapse guard: collisions add up, although every tick changes the velocity") {
+    World world = one_ball(true, {0.0, -1.0});
+    world.edit_definition().model.gravity = Vec2{0.0, -1e-3};
+    world.edit_definition().model.speed_limit = 1.0;
+    const auto recent = [](const World& any) {
+        return event_memory(any).trajectories.lines[0].recent_collisions;
+    };
+    Solver solver({.kind = SolverKind::event});
+    solver.tick(world);
+    SolverAccess(world).memory().use<EventMemory>().trajectories.lines[0].recent_collisions = 10;
+    SolverAccess(world).stamp_memory();
+    for (int tick = 0; tick < 3; ++tick) {
+        World copy = world;
+        Solver(SolverSettings{.kind = SolverKind::event}).tick(copy);
+        CHECK(recent(copy) == 10);
+        solver.tick(world);
+        CHECK(recent(world) == 10);
+        CHECK(world.balls().velocity[0] == Vec2{0.0, -1.0});
+    }
 }
 
 TEST_CASE("collapse guard: slow balls are frozen above the limit, fast ones never") {
