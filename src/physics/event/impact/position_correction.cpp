@@ -159,7 +159,9 @@ bool PositionCorrection<Real>::enters_ball(const ClusterBody<Real>& body,
 }
 
 // Turns a displacement along the first edge into which it would lead deeper than the ball is now.
-// Returns whether there is one.
+// Returns whether there is one. An edge is convex, so only a displacement against the normal can
+// lead deeper. By that it is judged, not by the depths alone: deeper by their rounding in each
+// impact, a ball at distant coordinates would sink without end.
 template <typename Real>
 bool PositionCorrection<Real>::deflect(const ClusterBody<Real>& body,
                                        Vector<Real>& displacement) const {
@@ -172,10 +174,11 @@ bool PositionCorrection<Real>::deflect(const ClusterBody<Real>& body,
         const Real gap = contact_with(edge, there, size).gap;
         if (!(gap < Real{})) return;
         const auto here = contact_with(edge, body.position, size);
-        const Real rounding = Real(gap_roundings) * rounding_at(body.position, size + edge.radius);
-        if (!(gap < here.gap - rounding)) return;
+        const Real inwards = -dot(displacement, here.normal);
+        const Real rounding = Real(component_rounding<Real>) * length(displacement);
+        if (!(gap < here.gap && inwards > rounding)) return;
         enters = true;
-        displacement -= here.normal * std::min(Real{}, dot(displacement, here.normal));
+        displacement += here.normal * inwards;
     };
     space_.for_each_edge_around(body.ball, space_.cells().spot_of(Vec2(there)), meet);
     return enters;

@@ -52,6 +52,29 @@ TEST_CASE("response: balls that overlap under pressure are separated, but never 
     }
 }
 
+// Regression: a ball at distant coordinates was pushed into the edge by up to their rounding, and
+// in every impact anew (check-scenes 4002023).
+TEST_CASE("response: balls far from the origin are separated, but never into an edge") {
+    World world = scenes::empty();
+    world.edit_definition().model.gravity = Vec2{0.0, -10.0};
+    world.edit_definition().model.inelastic = true;
+    const Vec2 far{1e6, 1e6};
+    const double radius = 1e-3;
+    const double depth = 2.0 * moving_rest_height * radius;
+    const double right = far.x + 2.0 * radius - depth;
+    add_ball(world, {.position = far, .velocity = {0.5, 0.0}, .radius = radius});
+    add_ball(world, {.position = {right, far.y}, .velocity = {-0.5, 0.0}, .radius = radius});
+    add_capsule(world, {{right + radius, far.y - 5.0}, {right + radius, far.y + 5.0}, 0.0}, 0);
+    EventParts parts(world);
+    std::vector<Contact> contacts;
+    std::vector<std::uint8_t> touched(2);
+    parts.response.resolve(0, {parts.scene.now, EventKind::ball_ball, 0, 0, 1, 0},
+                           {contacts, touched});
+    parts.cluster.end();
+    CHECK(parts.balls[0].line.position.x < far.x);
+    CHECK(parts.balls[1].line.position.x == right);
+}
+
 // Regression: balls that edges barred were not separated at all. A ball that leaned on a wall and
 // on another one on the floor sank into it impact by impact (check-scenes 1483, 1750, 2665).
 TEST_CASE("response: balls that a wall and a floor bar separate along these") {
