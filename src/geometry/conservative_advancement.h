@@ -41,7 +41,16 @@ struct ToiTolerance {
     /// through half this height, at the acceleration that presses them, is no impact. Length; 0
     /// switches the rule off.
     Real rest_height{};
+    /// Touching bodies that approach more slowly than the rest speed, but faster than `sink_speed`,
+    /// meet once they overlap by `sink_depth`. Without that they could sink in for as long as their
+    /// trajectories last. Length and length/s; depth 0 switches the rule off.
+    Real sink_depth{};
+    Real sink_speed{};
     std::uint64_t weight = 1;  ///< of an iteration, in ToiSearch::iterations
+
+    bool has_sunk(const Separation<Real>& now) const {
+        return sink_depth > Real{} && now.distance <= -sink_depth && now.velocity < -sink_speed;
+    }
 
     Real rest_speed_at(const Separation<Real>& now) const {
         const bool is_pressed = rest_height > Real{} && now.normal_acceleration < Real{};
@@ -64,11 +73,25 @@ struct ToiTolerance {
 /// `slop` meet earlier if they get out of one another: where they touch on the way back. An
 /// acceleration below the bound may let them out where the bound would not. The one that just lets
 /// them out brings them back the soonest: after 2 depth / v.
+///
+/// Where bodies may sink in only so far (ToiTolerance::sink_depth), it also takes no longer than
+/// until they are as deep, and approach.
 template <typename Real>
 Real touching_step(const Separation<Real>& now, const Real& acceleration_bound,
-                   const Real& rest_speed, const Real& slop) {
+                   const Real& rest_speed, const ToiTolerance<Real>& tolerance) {
+    const Real& slop = tolerance.slop;
+    const auto until_sunk = [&](const Real& against) {
+        const Real room = now.distance + tolerance.sink_depth;
+        if (!(room > Real{})) return (now.velocity + tolerance.sink_speed) / against;
+        const Real speed = square_root(now.velocity * now.velocity + Real(2.0) * against * room);
+        return now.velocity < Real{} ? Real(2.0) * room / (speed - now.velocity)
+                                     : (now.velocity + speed) / against;
+    };
     const auto until_approach = [&](const Real& against) {
-        if (!(now.velocity > rest_speed)) return (now.velocity + rest_speed) / against;
+        if (!(now.velocity > rest_speed)) {
+            const Real time = (now.velocity + rest_speed) / against;
+            return tolerance.sink_depth > Real{} ? std::min(time, until_sunk(against)) : time;
+        }
         const Real back = Real(2.0) * now.velocity / against;
         if (!(now.distance < -Real(4.0) * slop)) return back;
         const Real outside = now.velocity * now.velocity + Real(2.0) * against * now.distance;
@@ -86,6 +109,9 @@ Real touching_step(const Separation<Real>& now, const Real& acceleration_bound,
         Real step = limit;
         if (against > Real{}) {
             const Real reach = until_approach(against);
+            if (reach < step) step = reach;
+        } else if (tolerance.sink_depth > Real{} && now.velocity < -tolerance.sink_speed) {
+            const Real reach = (now.distance + tolerance.sink_depth) / -now.velocity;
             if (reach < step) step = reach;
         }
         if (best < step) best = step;
@@ -160,10 +186,10 @@ struct ToiSearch {
 ///
 /// so its first root is a step that cannot pass over an impact; near the impact the steps shrink
 /// quadratically. The result is the first time at which the distance is at most `slop` and shrinks
-/// faster than the rest speed. It is late by no more than rounding, and no impact is passed over
-/// whose depth would reach 4 slop. A separation that turns back before is a graze, not an impact.
-/// No result: there is no impact until `end`, or the search was suspended and `search` holds its
-/// resume time.
+/// faster than the rest speed, or at which the bodies have sunk in (ToiTolerance::sink_depth). It
+/// is late by no more than rounding, and no impact is passed over whose depth would reach 4 slop. A
+/// separation that turns back before is a graze, not an impact. No result: there is no impact until
+/// `end`, or the search was suspended and `search` holds its resume time.
 ///
 /// Cost: one call of `separation_at` an iteration; usually under ten.
 template <typename Real, typename SeparationAt>
@@ -187,12 +213,12 @@ std::optional<Real> first_time_of_impact(SeparationAt&& separation_at, Real begi
                 now.acceleration > zero &&
                 now.velocity * now.velocity < Real(8.0) * now.acceleration * tolerance.slop;
             const Real rest_speed = tolerance.rest_speed_at(now);
-            if (now.velocity < -rest_speed && !grazes) return time;
+            if ((now.velocity < -rest_speed || tolerance.has_sunk(now)) && !grazes) return time;
             if (!(bound > zero)) return std::nullopt;
             if (grazes && now.velocity < zero)
                 step = Real(-2.0) * now.velocity / now.acceleration;
             else
-                step = touching_step(now, bound, rest_speed, tolerance.slop);
+                step = touching_step(now, bound, rest_speed, tolerance);
         } else if (now.velocity < zero) {
             step = Real(2.0) * now.distance /
                    (square_root(now.velocity * now.velocity + Real(2.0) * bound * now.distance) -

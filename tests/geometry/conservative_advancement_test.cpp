@@ -310,3 +310,35 @@ TEST_CASE("time of impact: bodies get out of one another where the bound would n
         CHECK(*found == doctest::Approx(expected).epsilon(1e-9));
     }
 }
+
+// Regression: a ball that fell along a wall, pressed on it by a slow ball beside it, sank into that
+// one for as long as it fell: the acceleration across the normal raised the rest speed.
+TEST_CASE("time of impact: bodies that approach below the rest speed meet once they have sunk in") {
+    const ToiTolerance<double> limits{
+        .slop = slop, .rest_speed = 1e-2, .sink_depth = 1e-5, .sink_speed = 1e-9};
+    const double speed = 1e-3;
+    const double end = 100.0;
+    const auto meeting = [&](double start, double velocity, double pull) {
+        const auto separation_at = [=](double t) {
+            return Separation<double>{.distance = start + (velocity - 0.5 * pull * t) * t,
+                                      .velocity = velocity - pull * t,
+                                      .acceleration = -pull,
+                                      .normal_acceleration = -pull,
+                                      .relative_speed = speed,
+                                      .center_distance = 1.0};
+        };
+        ToiSearch<double> search;
+        return first_time_of_impact<double>(separation_at, 0.0, end, 1.0, limits, search);
+    };
+    const auto touching = meeting(0.0, -speed, 0.0);
+    REQUIRE(touching);
+    CHECK(*touching == doctest::Approx(limits.sink_depth / speed).epsilon(1e-6));
+    // Deeper ones meet at once, but not if they are at rest or part.
+    CHECK(meeting(-2e-5, -speed, 0.0) == 0.0);
+    CHECK(!meeting(-2e-5, 0.0, 0.0));
+    CHECK(!meeting(-2e-5, speed, 0.0));
+    // Those that are pulled together slowly are as deep long before they are as fast.
+    const auto pulled = meeting(0.0, 0.0, 1e-4);
+    REQUIRE(pulled);
+    CHECK(*pulled == doctest::Approx(std::sqrt(2.0 * limits.sink_depth / 1e-4)).epsilon(1e-6));
+}

@@ -85,7 +85,7 @@ TEST_CASE("fuzzed scenes that have broken an invariant no longer do") {
         check_scene(fuzzed, path.stem().string());
         ++scenes;
     }
-    CHECK(scenes >= 39);
+    CHECK(scenes >= 52);
 }
 
 TEST_SUITE("long") {

@@ -36,12 +36,16 @@ std::optional<Real> ball_time_of_impact(const Trajectory<Real>& a, const Traject
     const bool on_cloth = is_on_cloth(a) || is_on_cloth(b);
     const double height =
         on_cloth ? unpressed_rest_height : (one_rests ? rest_height : moving_rest_height);
-    auto limits = tolerance(a.position, reach, length(a.velocity) + length(b.velocity), bound,
-                            small, field.pressing, height);
+    const Real speeds = length(a.velocity) + length(b.velocity);
+    auto limits = tolerance(a.position, reach, speeds, bound, small, field.pressing, height);
     const bool is_kinematic = a.motion == Motion::held || b.motion == Motion::held;
-    if (on_cloth)
+    if (on_cloth) {
         limits.rest_height =
             Real(2.0 * (is_kinematic ? moving_rest_height : cloth_rest_height)) * small;
+    } else {
+        limits.sink_depth = Real(height) * small;
+        limits.sink_speed = rounding_of_approach(speeds, small, field.pressing);
+    }
     return first_time_of_impact<Real>(separation_at, begin, last, bound,
                                       weighed(weighed(limits, a), b), search);
 }

@@ -38,6 +38,13 @@ const Real& greater(const Real& a, const Real& b) {
     return a < b ? b : a;
 }
 
+/// Approaches below this are rounding, length/s. Parameters: see `tolerance`.
+template <typename Real>
+Real rounding_of_approach(const Real& speeds, const Real& small, const Real& pressing) {
+    return Real(approach_rounding<Real>) * speeds +
+           Real(pressed_rounding) * square_root(pressing * small) + Real(least_approach);
+}
+
 /// Which gaps and approaches count as touching and resting. `speeds` is the sum of both bodies'
 /// speeds, `bound` that of their accelerations, `small` the smaller radius, `pressing` that of the
 /// Field, `height` one of the rest heights of tolerances.h.
@@ -45,9 +52,7 @@ template <typename Real>
 ToiTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach, const Real& speeds,
                              const Real& bound, const Real& small, const Real& pressing,
                              double height = rest_height) {
-    const Real rounding = Real(approach_rounding<Real>) * speeds +
-                          Real(pressed_rounding) * square_root(pressing * small) +
-                          Real(least_approach);
+    const Real rounding = rounding_of_approach(speeds, small, pressing);
     const Real rest_speed =
         bound > Real{} ? square_root(Real(2.0 * height) * bound * small) : Real{};
     return {rounding_at(position, reach), greater(rounding, rest_speed)};
