@@ -33,14 +33,23 @@ std::vector<command::Press> PinballButtons::take(Button button, const InputEvent
         held.is_down = !held.is_down;
         return {{button, held.is_down}};
     }
+    const bool is_taken_over = std::exchange(held.outlasts_pause, false);
+    note_repeat(repeats, held);
     if (held.is_down) {
-        if (repeats || tells_release_) return {};
+        if (repeats || tells_release_ || is_taken_over) return {};
         return press_again(button, held, time);
     }
     // A repeat that comes later than it should raises a flipper again, and pulls no plunger.
     if (held.rises_at || (repeats && !is_flipper(button))) return {};
     held.is_down = true;
     return {{button, true}};
+}
+
+// The key pressed last repeats for all that are held.
+void PinballButtons::note_repeat(bool repeats, Held& held) {
+    if (!repeats) held.has_repeated = false;
+    for (Held& each : held_)
+        if (repeats) each.has_repeated = each.is_down;
 }
 
 std::vector<command::Press> PinballButtons::press_again(Button button, Held& held,
@@ -85,7 +94,7 @@ bool PinballButtons::has_mouse() const {
     return std::ranges::any_of(held_, [](const Held& held) { return held.mouse.has_value(); });
 }
 
-std::vector<command::Press> PinballButtons::pass(double seconds) {
+std::vector<command::Press> PinballButtons::pass(double seconds, bool is_paused) {
     now_ += seconds;
     std::vector<command::Press> changes;
     for (std::size_t i = 0; i < held_.size(); ++i) {
@@ -96,7 +105,9 @@ std::vector<command::Press> PinballButtons::pass(double seconds) {
             held.is_down = true;
             changes.push_back({button, true});
         }
-        const bool stays = tells_release_ || held.mouse || (toggles_ && is_flipper(button));
+        if (is_paused && held.is_down && held.has_repeated) held.outlasts_pause = true;
+        const bool stays =
+            tells_release_ || held.mouse || held.outlasts_pause || (toggles_ && is_flipper(button));
         if (!held.is_down || stays || now_ < repeat_.may_be_held_until()) continue;
         held.is_down = false;
         changes.push_back({button, false});
@@ -105,7 +116,9 @@ std::vector<command::Press> PinballButtons::pass(double seconds) {
 }
 
 std::vector<command::Press> PinballButtons::let_go(Button button) {
-    if (!std::exchange(held_[static_cast<std::size_t>(button)].is_down, false)) return {};
+    Held& held = held_[static_cast<std::size_t>(button)];
+    held.outlasts_pause = false;
+    if (!std::exchange(held.is_down, false)) return {};
     return {{button, false}};
 }
 
@@ -113,6 +126,7 @@ std::vector<command::Press> PinballButtons::release_all() {
     std::vector<command::Press> released;
     for (std::size_t i = 0; i < held_.size(); ++i) {
         held_[i].rises_at.reset();
+        held_[i].outlasts_pause = false;
         if (std::exchange(held_[i].is_down, false))
             released.push_back({static_cast<Button>(i), false});
     }

@@ -22,6 +22,10 @@ namespace carom {
 /// - A flipper that is pressed again while it is up drops for a moment and flips again. A nudge
 ///   nudges again.
 /// - A plunger that is pressed again is let go.
+/// - A button that is held while the game is paused stays down until its key is pressed again,
+/// which
+///   takes it over: the key that resumes the game ends the repeats of all others. A tap shows no
+///   repeats, so it is not held.
 class PinballButtons {
   public:
     /// Takes an event of the button's key. Returns the resulting changes, in order.
@@ -39,7 +43,7 @@ class PinballButtons {
     bool toggles() const { return toggles_; }
 
     /// Returns the changes that are due as `seconds` pass.
-    std::vector<command::Press> pass(double seconds);
+    std::vector<command::Press> pass(double seconds, bool is_paused = false);
     /// Releases a button whose key may still be held: its repeats do nothing.
     std::vector<command::Press> let_go(Button button);
     /// Releases every button, for when the state of the keys is unknown.
@@ -58,8 +62,11 @@ class PinballButtons {
         bool is_down = false;
         std::optional<double> rises_at{};     ///< dropped for a moment; back then
         std::optional<std::uint8_t> mouse{};  ///< the mouse button that holds it
+        bool has_repeated = false;            ///< a key has repeated since it went down
+        bool outlasts_pause = false;          ///< held since the game was paused
     };
     std::vector<command::Press> press_again(Button button, Held& held, double time) const;
+    void note_repeat(bool repeats, Held& held);
 
     std::array<Held, button_count> held_{};
     KeyRepeat repeat_;

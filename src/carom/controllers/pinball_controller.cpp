@@ -172,7 +172,7 @@ void PinballController::perform(PlayContext& play, const Action& action) {
 void PinballController::pass(PlayContext& play, double seconds) {
     learn_keys(play);
     confirm_left_ = std::max(0.0, confirm_left_ - seconds);
-    press_buttons(play, input_.pass(seconds));
+    press_buttons(play, input_.pass(seconds, play.clock.is_paused()));
     attract(play, seconds);
     feedback_.pass(play, seconds);
 }

@@ -32,7 +32,9 @@ class PinballInput {
     std::optional<command::Pull> drag_plunger(const InputEvent& event, Vec2 at, double row);
 
     /// Returns the buttons that come up as `seconds` pass.
-    std::vector<command::Press> pass(double seconds) { return buttons_.pass(seconds); }
+    std::vector<command::Press> pass(double seconds, bool is_paused) {
+        return buttons_.pass(seconds, is_paused);
+    }
     /// Releases every button.
     std::vector<command::Press> release_all() { return buttons_.release_all(); }
 

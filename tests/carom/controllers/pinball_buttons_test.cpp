@@ -65,6 +65,7 @@ struct Script {
     Keyboard keys{};
     std::vector<Change> changes{};
     double now = 0.0;
+    bool is_paused = false;
 
     void note(const std::vector<command::Press>& presses) {
         for (const command::Press& press : presses)
@@ -76,7 +77,7 @@ struct Script {
         for (const double end = now + seconds; now < end - 1e-9;) {
             const double step = std::min(end - now, 1.0 / 60.0);
             now += step;
-            note(keys.pass(step));
+            note(keys.pass(step, is_paused));
         }
     }
     /// Holds a key: its press and its repeats.
@@ -185,6 +186,32 @@ TEST_CASE("a flipper that is pressed while it is up drops for a moment and flips
     // Another flipper that is pressed does not drop it.
     script.arrive(U'/');
     CHECK(script.changes.size() == 6);
+}
+
+TEST_CASE("a flipper that holds a ball outlasts a pause, and its key takes it over") {
+    Script script{0.5, 1.0 / 30.0};
+    script.learn();
+    script.hold(U'z', 1.0);
+    REQUIRE(script.changes.size() == 1);
+    script.arrive(U' ');
+    script.is_paused = true;
+    script.pass(5.0);
+    script.is_paused = false;
+    script.arrive(U' ');
+    script.pass(3.0);
+    CHECK(script.changes.size() == 1);
+    script.hold(U'z', 1.0);
+    CHECK(script.changes.size() == 1);
+    script.pass(1.0);
+    REQUIRE(script.changes.size() == 2);
+    CHECK_FALSE(script.changes[1].is_down);
+    // A tap does not hold anything.
+    script.arrive(U'/');
+    script.pass(0.2);
+    script.is_paused = true;
+    script.arrive(U' ');
+    script.pass(2.0);
+    CHECK(script.changes.size() == 4);
 }
 
 TEST_CASE("a second tap lets the plunger go, and its repeats do nothing") {
