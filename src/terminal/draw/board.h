@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,7 @@ enum class Ground : std::uint8_t {
     plastic,  ///< of a pinball table: closed off from the balls
     board
 };
+inline constexpr std::size_t ground_count = 5;
 
 class Board {
   public:

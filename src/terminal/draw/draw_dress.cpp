@@ -26,7 +26,8 @@ Ink edge_ink(const View& view, std::size_t edge) {
     auto color = color_in(dress.edges, number(edges.id[edge]));
     if (!color) color = color_in(dress.materials, edges.material[edge]);
     if (!color) color = dress.theme.edge;
-    if (!color && is_pool_table(view.scene) && look.has_shades()) color = nose_color(view.scene);
+    if (!color && is_pool_table(view.scene) && look.has_shades())
+        return {view.memory.ground.inks().nose, plain};
     if (color && look.has_colors()) return dress_ink(*color, look);
     return ink_of_material(edges.material[edge], look);
 }

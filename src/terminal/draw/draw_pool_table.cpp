@@ -84,19 +84,24 @@ std::optional<TableAxes> axes_of(const View& view, const Board& board) {
     return axes;
 }
 
-// Faint, but of dots in every row, whichever column of dots the line is in.
-std::uint8_t chalk_strength(const Raster& raster) {
-    return raster.renderer().has_dots() ? 120 : 60;
+// A line on the cloth, faint as chalk.
+void paint_chalk_line(Raster& raster, const View& view, Vec2 from, Vec2 to) {
+    const RasterPoint start = to_raster(view.camera, from);
+    const RasterPoint end = to_raster(view.camera, to);
+    if (paints_tables(raster, view))
+        return raster.line(start, end, {view.memory.ground.inks().chalk, plain});
+    // Faint, but of dots in every row, whichever column of dots the line is in.
+    const std::uint8_t strength = raster.renderer().has_dots() ? 120 : 60;
+    raster.line(start, end, dress_ink(chalk_color, view.options.look), strength);
 }
 
-// A head string, a foot spot and a head spot, faint as chalk.
+// A head string, a foot spot and a head spot.
 void paint_markings(Raster& raster, const View& view, const TableAxes& axes) {
     const Ink chalk = dress_ink(chalk_color, view.options.look);
     const Vec2 head = axes.middle - axes.along * (0.5 * axes.length);
     const Vec2 foot = axes.middle + axes.along * (0.5 * axes.length);
-    raster.line(to_raster(view.camera, head - axes.across * axes.width),
-                to_raster(view.camera, head + axes.across * axes.width), chalk,
-                chalk_strength(raster));
+    paint_chalk_line(raster, view, head - axes.across * axes.width,
+                     head + axes.across * axes.width);
     for (const Vec2 spot : {head, foot})
         raster.disc(to_raster(view.camera, spot), 0.0, 0.0, {chalk, 255, '\0'});
 }
@@ -105,10 +110,7 @@ void paint_markings(Raster& raster, const View& view, const TableAxes& axes) {
 void paint_baulk(Raster& raster, const View& view, const TableAxes& axes, const BaulkD& d) {
     constexpr int steps = 24;
     const Ink chalk = dress_ink(chalk_color, view.options.look);
-    const auto line = [&](Vec2 from, Vec2 to) {
-        raster.line(to_raster(view.camera, from), to_raster(view.camera, to), chalk,
-                    chalk_strength(raster));
-    };
+    const auto line = [&](Vec2 from, Vec2 to) { paint_chalk_line(raster, view, from, to); };
     line(d.middle - axes.across * axes.width, d.middle + axes.across * axes.width);
     Vec2 from = d.middle + axes.across * d.radius;
     for (int i = 1; i <= steps; ++i) {

@@ -7,6 +7,7 @@
 #include "geometry/polygon.h"
 #include "terminal/canvas/color.h"
 #include "terminal/canvas/legible.h"
+#include "terminal/canvas/surface_colors.h"
 
 namespace carom {
 
@@ -19,7 +20,7 @@ struct GroundColors {
     Rgb24 rail = 0;
     Rgb24 plastic = 0;
 };
-constexpr GroundColors pool_colors{0x1a6b48, 0x12523a, 0x5c3318, 0};
+constexpr GroundColors pool_colors{0x1a6b48, 0x12523a, 0x5c3a18, 0};
 constexpr GroundColors pinball_colors{0x16203a, 0, 0x3a3f4a, 0x2f4a6b};
 constexpr GroundColors plain_colors{0x20262e, 0, 0x4a4f57, 0};
 
@@ -78,11 +79,6 @@ Ink dress_ink(Rgb24 color, const Look& look) {
     return ink_of_color(rgb_of_dress(color), look);
 }
 
-Rgb24 nose_color(const Scene& scene) {
-    constexpr double lighter = 1.3;
-    return scaled(colors_of(scene).board, lighter);
-}
-
 const Board& GroundLayer::board(const Scene& scene) {
     if (!board_ || scene_hash_ != scene.text_hash) {
         board_ = std::make_shared<const Board>(scene);
@@ -97,13 +93,46 @@ void GroundLayer::update(const Scene& scene, const Camera& camera, const Rendere
     board(scene);
     const Key key{camera, &renderer, look};
     if (key_ == key) return;
+    const bool is_new_look = !key_ || !(key_->look == look);
     key_ = key;
     colors_.clear();
     cloth_.clear();
+    if (is_new_look && look.has_shades()) choose_inks(scene);
     const bool has_ground = !board_->is_empty() || !scene.dress.areas.empty();
     if (look.has_shades() && has_ground) fill(scene);
     if (!look.has_shades()) weave(scene);
     paint();
+}
+
+void GroundLayer::choose_inks(const Scene& scene) {
+    constexpr double lighter = 1.3;
+    constexpr double chalk_share = 0.235;  // faint
+    constexpr Rgb24 chalk_color = 0x7fb697;
+    const GroundColors colors = colors_of(scene);
+    const auto rgb = [](Rgb24 color) { return rgb_of_dress(color); };
+    enum Surface : std::size_t { board, cushion, rail, plastic, nose, chalk, areas };
+    const Rgb chalk_on_board =
+        rgb_of(mixed(direct_color(rgb(chalk_color)), direct_color(rgb(colors.board)), chalk_share));
+    std::vector<Rgb> wanted{rgb(colors.board),
+                            rgb(colors.cushion),
+                            rgb(colors.rail),
+                            rgb(colors.plastic),
+                            rgb(scaled(colors.board, lighter)),
+                            chalk_on_board};
+    std::vector<Neighbours> neighbours;
+    if (is_pool_table(scene))
+        neighbours = {{board, nose}, {nose, cushion}, {cushion, rail}, {board, chalk}};
+    else
+        neighbours = {{board, rail}, {board, plastic}};
+    for (const PaintedArea& area : scene.dress.areas) {
+        neighbours.emplace_back(board, wanted.size());
+        wanted.push_back(rgb(area.color));
+    }
+    const std::vector<Color> chosen = surface_colors(wanted, neighbours, key_->look);
+    inks_ = {{default_color, chosen[rail], chosen[cushion], chosen[plastic], chosen[board]},
+             chosen[nose],
+             chosen[chalk],
+             {chosen.begin() + areas, chosen.end()}};
 }
 
 // With few colours, a ball could have that of the ground, so cloth is no colour but a pattern of
@@ -131,13 +160,15 @@ void GroundLayer::fill(const Scene& scene) {
     down_ = key_->camera.area.rows * renderer.down;
     colors_.assign(static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_),
                    default_color);
-    if (!board_->is_empty()) fill_board(scene);
+    if (!board_->is_empty()) fill_board();
     for (const std::uint32_t pocket : scene.pool.pockets) {
         const Capsule& shape = scene.world.zones()[pocket].shape;
-        fill_area({{}, {shape.start, hole_share * shape.radius}, hole_color, 0});
+        fill_area({{}, {shape.start, hole_share * shape.radius}, hole_color, 0},
+                  dress_ink(hole_color, key_->look).color);
     }
-    for (const PaintedArea& area : scene.dress.areas)
-        if (area.layer == 0) fill_area(area);
+    const std::vector<PaintedArea>& areas = scene.dress.areas;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        if (areas[i].layer == 0) fill_area(areas[i], inks_.areas[i]);
 }
 
 Vec2 GroundLayer::place_of(int across, int down) const {
@@ -146,24 +177,14 @@ Vec2 GroundLayer::place_of(int across, int down) const {
                                    area.row + (down + 0.5) / key_->renderer->down});
 }
 
-void GroundLayer::fill_board(const Scene& scene) {
-    const GroundColors colors = colors_of(scene);
-    std::array<Color, 5> inks{};
-    inks[static_cast<std::size_t>(Ground::none)] = default_color;
-    const auto set = [&](Ground ground, Rgb24 color) {
-        inks[static_cast<std::size_t>(ground)] = dress_ink(color, key_->look).color;
-    };
-    set(Ground::board, colors.board);
-    set(Ground::cushion, colors.cushion);
-    set(Ground::rail, colors.rail);
-    set(Ground::plastic, colors.plastic);
+void GroundLayer::fill_board() {
     for (int down = 0; down < down_; ++down)
         for (int across = 0; across < across_; ++across)
             sample(across, down) =
-                inks[static_cast<std::size_t>(board_->at(place_of(across, down)))];
+                inks_.board[static_cast<std::size_t>(board_->at(place_of(across, down)))];
 }
 
-void GroundLayer::fill_area(const PaintedArea& area) {
+void GroundLayer::fill_area(const PaintedArea& area, Color color) {
     const Box box = bounds_of(area);
     const CellPoint low = to_cells(key_->camera, {box.low.x, box.high.y});
     const CellPoint high = to_cells(key_->camera, {box.high.x, box.low.y});
@@ -176,7 +197,6 @@ void GroundLayer::fill_area(const PaintedArea& area) {
     const int right = within(high.column - seen.column + 1.0, renderer.across, across_);
     const int top = within(low.row - seen.row, renderer.down, down_);
     const int bottom = within(high.row - seen.row + 1.0, renderer.down, down_);
-    const Color color = dress_ink(area.color, key_->look).color;
     for (int down = top; down < bottom; ++down)
         for (int across = left; across < right; ++across) {
             const Vec2 at = place_of(across, down);

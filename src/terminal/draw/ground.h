@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,8 +21,13 @@ Ink dress_ink(Rgb24 color, const Look& look);
 inline constexpr Rgb24 hole_color = 0x08090b;
 inline constexpr double hole_share = 0.84;  ///< of the pocket's radius
 
-/// The colour of the noses of a pool table's cushions.
-Rgb24 nose_color(const Scene& scene);
+/// The colours of what is large in the picture, chosen together (surface_colors.h).
+struct GroundInks {
+    std::array<Color, ground_count> board{};  ///< by Ground
+    Color nose = default_color;               ///< of a pool table's cushions
+    Color chalk = default_color;              ///< a line that is drawn on the board
+    std::vector<Color> areas;                 ///< those that the level paints, in its order
+};
 
 class GroundLayer {
   public:
@@ -32,6 +38,8 @@ class GroundLayer {
     /// The board of the level. Computes it unless it is known.
     const Board& board(const Scene& scene);
 
+    /// On a terminal with shades. Pre: updated.
+    const GroundInks& inks() const { return inks_; }
     /// The raster to paint shapes on: with pixels that show the ground, else empty. Pre: updated.
     Raster raster() const;
     /// Whether the cell shows the ground alone: no shape and no text.
@@ -50,11 +58,12 @@ class GroundLayer {
 
         friend bool operator==(const Key&, const Key&) = default;
     };
+    void choose_inks(const Scene& scene);
     void fill(const Scene& scene);
     void weave(const Scene& scene);
     void paint();
-    void fill_board(const Scene& scene);
-    void fill_area(const PaintedArea& area);
+    void fill_board();
+    void fill_area(const PaintedArea& area, Color color);
     Vec2 place_of(int across, int down) const;
     /// In the middle of a cell of the camera's area.
     Color color_of_cell(int column, int row) const {
@@ -74,6 +83,7 @@ class GroundLayer {
     std::shared_ptr<const Board> board_;
     std::uint64_t scene_hash_ = 0;  ///< of the scene that the board is of
     std::optional<Key> key_;
+    GroundInks inks_;
     std::optional<Raster> painted_;  ///< none: nothing to paint
     int across_ = 0;                 ///< samples
     int down_ = 0;
