@@ -22,6 +22,29 @@ void remember_fastest(ViewMemory& memory, const World& world) {
     memory.fastest = std::max(std::sqrt(fastest), memory.fastest * (has_moved ? 0.995 : 1.0));
 }
 
+// Cells beyond the border of a torus show copies of what is within, so they are darker.
+void dim_copies(Canvas& canvas, const View& view) {
+    if (!view.world.model().wrap) return;
+    const Box& torus = *view.world.model().wrap;
+    const Look& look = view.options.look;
+    const CellArea& area = view.camera.area;
+    constexpr double share = 0.5;
+    for (int row = area.row; row < area.row + area.rows; ++row)
+        for (int column = area.column; column < area.column + area.columns; ++column) {
+            if (!canvas.holds(column, row)) continue;
+            if (contains(torus, to_world(view.camera, {column + 0.5, row + 0.5}))) continue;
+            Cell& cell = canvas.at(column, row);
+            if (cell.glyph == U' ' && cell.background == default_color) continue;
+            if (!look.has_shades()) {
+                cell.attributes = static_cast<std::uint8_t>((cell.attributes & ~bold) | dim);
+                continue;
+            }
+            cell.foreground = dimmed(
+                cell.foreground < 0 ? foreground_color(look) : cell.foreground, share, look);
+            cell.background = dimmed(cell.background, share, look);
+        }
+}
+
 void write_texts(Canvas& canvas, const View& view) {
     write_coordinates(canvas, view);
     if (view.options.counters && !view.annotations.pool && !view.annotations.table)
@@ -98,6 +121,7 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
     paint_pool(raster, view);
     paint_annotations(raster, view);
     raster.show(canvas, area.column, area.row);
+    dim_copies(canvas, view);
 
     write_texts(canvas, view);
     memory.ground.lay(canvas);

@@ -242,6 +242,38 @@ TEST_CASE("found 3: beyond the border of a torus its copies are drawn, not a voi
     CHECK(std::ranges::count(text, '\\') == 4);
 }
 
+TEST_CASE("copies beyond the border of a torus are darker than what is within") {
+    Scene scene = table({{0, 0}, {20, 10}});
+    scene.world.edit_definition().model.wrap = Box{{0, 0}, {20, 10}};
+    put_ball(scene, {10, 5}, 2.0);
+    for (const int colors : {0, 16, 256}) {
+        CAPTURE(colors);
+        ViewOptions options = in(half_block_renderer());
+        options.look.colors = colors;
+        Drawing drawing(121, 11);
+        drawing.draw(scene, options);
+        // 40 columns are a torus.
+        double within = 0.0;
+        double beyond = 0.0;
+        int dim_within = 0;
+        int dim_beyond = 0;
+        for (int column = 0; column < drawing.canvas.columns(); ++column) {
+            const Cell& cell = drawing.canvas.at(column, 5);
+            const bool is_within = std::abs(column - 60) < 15;
+            if (cell.foreground >= 0) {
+                double& most = is_within ? within : beyond;
+                most = std::max(most, luminance(rgb_of(cell.foreground)));
+            }
+            (is_within ? dim_within : dim_beyond) += (cell.attributes & dim) != 0;
+        }
+        CHECK(dim_within == 0);
+        if (colors == 256)
+            CHECK(beyond < 0.7 * within);
+        else
+            CHECK(dim_beyond > 0);
+    }
+}
+
 TEST_CASE("a ball smaller than a cell is visible in every renderer, at any zoom") {
     for (const Renderer& renderer : renderers()) {
         for (const double radius : {1e-9, 0.01, 0.3, 0.7, 1.0, 1.6}) {
