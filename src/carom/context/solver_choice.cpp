@@ -22,6 +22,22 @@ std::string solver_text(const SolverSettings& settings) {
     return name_text;
 }
 
+std::string_view method_of(SolverKind kind) {
+    switch (kind) {
+        case SolverKind::discrete:
+            return "moves all, then parts what overlaps";
+        case SolverKind::substep:
+            return "moves and parts overlaps in small steps";
+        case SolverKind::swept:
+            return "first impact on straight paths, then the next";
+        case SolverKind::contact:
+            return "four small steps, contacts as stiff springs";
+        case SolverKind::event:
+            return "exact impacts, one after another";
+    }
+    return {};
+}
+
 SolverKind next_solver_kind(SolverKind current, const Model& model) {
     const auto all = solvers_available();
     auto place = std::ranges::find(all, current);

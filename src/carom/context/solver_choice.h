@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "level/scene/scene.h"
 #include "physics/solver.h"
@@ -13,6 +14,9 @@ SolverSettings settings_of(SolverKind kind, const Scene& scene);
 
 /// "swept", "substep 4x15": a solver with its non-default settings.
 std::string solver_text(const SolverSettings& settings);
+
+/// What a solver does in a tick, in at most 45 characters: "exact events, however many a tick".
+std::string_view method_of(SolverKind kind);
 
 /// The next kind that supports the model, in the cyclic order of solvers_available().
 SolverKind next_solver_kind(SolverKind current, const Model& model);

@@ -98,7 +98,9 @@ void reset_view(PlayContext& play) {
 }
 
 void next_comparison(PlayContext& play) {
-    if (!play.companion.next_comparison(play.session)) say(play, "Split view off.");
+    if (!play.companion.next_comparison(play.session)) return say(play, "Split view off.");
+    const SolverKind other = play.companion.comparison()->solver().kind;
+    say(play, fmt::format("{}: {}", name(other), method_of(other)));
 }
 
 void toggle_ensemble(PlayContext& play) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "carom/context/solver_choice.h"
 #include "carom/play/player.h"
 #include "carom/play/status.h"
 #include "carom/pool/record_page.h"
@@ -83,6 +84,9 @@ std::vector<PageItem> explanation_items(const PlayContext& play) {
         }
         from = end + 1;
     }
+    if (const auto& other = play.companion.comparison())
+        items.push_back({"beside", fmt::format("{}: {}", solver_text(other->solver()),
+                                               method_of(other->solver().kind))});
     return items;
 }
 

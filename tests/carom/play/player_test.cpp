@@ -577,6 +577,10 @@ TEST_CASE("a split window shows one solver after another, and finally the game a
     person.key(U'S');
     CHECK(person.sees("|  event  tick 0"));
     CHECK(person.sees("identical since t=0.000"));
+    CHECK(person.sees("event: exact impacts, one after another"));
+    person.key(U'i');
+    CHECK(person.sees("beside  event: exact impacts"));
+    person.key(U'i');
     person.pass(0.25);
     CHECK(person.sees(" swept  tick 30"));
     CHECK(person.sees("|  event  tick 30"));
