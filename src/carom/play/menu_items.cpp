@@ -33,6 +33,8 @@ std::string best_score(const std::string& path) {
     return kept.scores.lines.empty() ? "" : grouped(kept.scores.lines.front().score);
 }
 
+// The newest game of each level, or of each match of the ladder. An older one takes its place when
+// that has ended.
 void add_unfinished(std::vector<MenuItem>& items, std::span<const InterruptedGame> interrupted,
                     std::span<const LevelEntry> levels) {
     for (const InterruptedGame& game : interrupted) {
@@ -44,6 +46,10 @@ void add_unfinished(std::vector<MenuItem>& items, std::span<const InterruptedGam
         const auto rung = std::ranges::find(ladder(), game.replay.opponent, &LadderRung::opponent);
         if (rung != ladder().end())
             title = fmt::format("{}: {}", ai_player(rung->opponent).name, rung->game);
+        const bool is_older = std::ranges::any_of(items, [&](const MenuItem& item) {
+            return item.path == game.replay.level && item.title == title;
+        });
+        if (is_older) continue;
         items.push_back({name, std::move(title), "Unfinished", game.replay.level, "",
                          time_text(seconds), game});
     }

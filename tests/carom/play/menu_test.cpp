@@ -200,6 +200,27 @@ TEST_CASE("an unfinished match of the ladder is named in full at 80 columns") {
     CHECK(window.text().find(" 12:00") != std::string::npos);
 }
 
+TEST_CASE("the menu lists a level's newest unfinished game alone") {
+    const test::Home home;
+    const auto game = [](const char* file, const char* level, int opponent, int seconds) {
+        InterruptedGame made;
+        made.file = file;
+        made.replay.level = level;
+        made.replay.opponent = opponent;
+        made.replay.rate = 120.0;
+        made.replay.position = 120 * static_cast<std::uint64_t>(seconds);
+        return made;
+    };
+    // The newest first, as they are found.
+    const std::vector<InterruptedGame> games{
+        game("/s/a-2.resume", "/l/gas.level", 0, 30), game("/s/a-1.resume", "/l/gas.level", 0, 50),
+        game("/s/b-1.resume", "/l/pi.level", 0, 10), game("/s/c-1.resume", "/m/gas.level", 0, 70)};
+    std::vector<std::string> files;
+    for (const MenuItem& item : menu_items(games))
+        if (item.interrupted) files.push_back(item.interrupted->file);
+    CHECK(files == std::vector<std::string>{"/s/a-2.resume", "/s/b-1.resume", "/s/c-1.resume"});
+}
+
 TEST_CASE("an empty menu can be left") {
     Menu menu({}, [](const MenuItem&) { return LoadedLevel{}; });
     menu.advance(1.0, may_go_on);
