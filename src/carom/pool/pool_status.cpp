@@ -27,9 +27,9 @@ void add_pool_title(const Session& session, const PlayerNames& names,
     const PoolPlay* const pool = pool_of(session);
     if (!has_turns(session)) return;
     info.title_comes_first = true;
+    info.name = session.scene().title;
     if (!pool) {
         const ShotsState& shots = *shots_of(session);
-        info.name = session.scene().title;
         info.title = turn_text(session.scene(), shots);
         const std::string task = task_text(session.scene(), session.world(), shots);
         // How the game ended says more than that it has.
