@@ -73,8 +73,10 @@ void fill_bites(CellMask& bed, const Scene& scene, const BoardGrid& grid) {
 
 std::vector<float> distance_from_bed(const Scene& scene, const BoardGrid& grid,
                                      const CellMask& bed) {
-    const double mouth = is_pool_table(scene) ? 1.7 * widest_pocket(scene) / grid.cell : 0.0;
-    if (mouth == 0.0) return distance_from(grid, bed);
+    constexpr float square = 1.0F;
+    if (!is_pool_table(scene)) return distance_from(grid, bed);
+    const double mouth = 1.7 * widest_pocket(scene) / grid.cell;
+    if (mouth == 0.0) return distance_from(grid, bed, square);
     CellMask off_bed(grid.size());
     for (std::size_t i = 0; i < bed.size(); ++i)
         off_bed[i] = bed[i] == 0;
@@ -83,7 +85,6 @@ std::vector<float> distance_from_bed(const Scene& scene, const BoardGrid& grid,
     for (std::size_t i = 0; i < bed.size(); ++i)
         deep[i] = static_cast<double>(depth[i]) > mouth;
     fill_bites(deep, scene, grid);
-    constexpr float square = 1.0F;
     std::vector<float> far = distance_from(grid, deep, square);
     for (float& distance : far)
         distance = std::max(0.0F, distance - static_cast<float>(mouth));

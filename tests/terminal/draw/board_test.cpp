@@ -110,6 +110,17 @@ TEST_CASE("board: a pool table's rails have square corners, and hold the jaws of
     CHECK(frame.low.x < -12.0);
 }
 
+TEST_CASE("board: a table without pockets has square corners too") {
+    const Scene scene = scene_of(pool_table("box 0,0 200,100\n"));
+    const Board board(scene);
+    REQUIRE_FALSE(board.is_empty());
+    const Box& frame = board.frame();
+    const double inside = 0.003 * size(frame).x;
+    for (const double x : {frame.low.x + inside, frame.high.x - inside})
+        for (const double y : {frame.low.y + inside, frame.high.y - inside})
+            CHECK(board.at({x, y}) == Ground::rail);
+}
+
 TEST_CASE("board: the rail covers the ends of jaws, but no wall of a narrow lane with a hole") {
     const Board table(scene_of(
         pool_table("edge 6,0 94,0 94,-16\nedge 106,-16 106,0 194,0\nedge 6,100 194,100\n"
