@@ -14,7 +14,8 @@ namespace {
 constexpr Rgb24 leather_color = 0x2b190d;
 constexpr Rgb24 diamond_color = 0xe9dfc4;
 constexpr Rgb24 chalk_color = 0x7fb697;  // on green cloth: a mixture of both
-constexpr double leather_share = 0.94;   // of the pocket's radius
+constexpr Rgb chalk_rgb{0x7f, 0xb6, 0x97};
+constexpr double leather_share = 0.94;  // of the pocket's radius
 
 // Leather shows around a hole of this many columns or more. Around a smaller one it would only blur
 // the border.
@@ -84,12 +85,33 @@ std::optional<TableAxes> axes_of(const View& view, const Board& board) {
     return axes;
 }
 
+// Without shades nothing can be faint, so a line of chalk is every second pixel, in the colour of
+// the cloth, if there are colours.
+void paint_pixel_line(Raster& raster, const View& view, RasterPoint start, RasterPoint end) {
+    const Look& look = view.options.look;
+    const Ink ink{look.has_colors() ? color_of_hue(chalk_rgb, look) : default_color, plain};
+    const double width = 1.0 / raster.renderer().across;
+    const double height = raster.aspect() / raster.renderer().down;
+    const Vec2 apart{end.x - start.x, end.y - start.y};
+    constexpr double most = 2000.0;  // a longer line leaves the window
+    if (!(length(apart) <= most)) return;
+    const int steps = static_cast<int>(length(apart) / std::min(width, height)) + 1;
+    for (int i = 0; i <= steps; ++i) {
+        const int across = static_cast<int>(std::floor((start.x + apart.x * i / steps) / width));
+        const int down = static_cast<int>(std::floor((start.y + apart.y * i / steps) / height));
+        const bool is_within = across >= 0 && across < raster.samples_across() && down >= 0 &&
+                               down < raster.samples_down();
+        if (is_within && (across + down) % 2 == 0) raster.sample(across, down, 255, ink);
+    }
+}
+
 // A line on the cloth, faint as chalk.
 void paint_chalk_line(Raster& raster, const View& view, Vec2 from, Vec2 to) {
     const RasterPoint start = to_raster(view.camera, from);
     const RasterPoint end = to_raster(view.camera, to);
     if (paints_tables(raster, view))
         return raster.line(start, end, {view.memory.ground.inks().chalk, plain});
+    if (raster.renderer().has_pixels()) return paint_pixel_line(raster, view, start, end);
     // Faint, but of dots in every row, whichever column of dots the line is in.
     const std::uint8_t strength = raster.renderer().has_dots() ? 120 : 60;
     raster.line(start, end, dress_ink(chalk_color, view.options.look), strength);

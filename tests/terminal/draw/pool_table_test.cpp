@@ -206,6 +206,31 @@ TEST_CASE("pool table: one without pockets has diamonds too, if it is as long as
     CHECK(diamonds("200,60") == 0);
 }
 
+TEST_CASE("pool table: the head string shows with any number of colours") {
+    const LoadResult loaded = load_level(
+        "carom 1 \"t\"\nuse cloth slide=0.2 roll=0.01 spin=10 g=10\nuse spin\n"
+        "ball cue at=80,30 r=2\ncue ball=cue power=0..10\nbox 0,0 200,100\n"
+        "rack eight at=150,50 toward=east gap=0.05\n",
+        "test.level");
+    REQUIRE(loaded.scene);
+    for (const int colors : {0, 8, 16, 256, direct_colors}) {
+        CAPTURE(colors);
+        const PixelPicture picture = pixels_of(*loaded.scene, look_with(colors));
+        const CellPoint head = to_cells(picture.camera, {50, 80});
+        int marked = 0;
+        for (int row = 0; row < 10; ++row) {
+            const auto at = [&](int aside) {
+                return picture.pixel(static_cast<int>(head.column) + aside,
+                                     static_cast<int>(2.0 * head.row) + row);
+            };
+            const Cell& cell = picture.canvas.at(static_cast<int>(head.column),
+                                                 static_cast<int>(head.row) + row / 2);
+            marked += colors > 0 ? at(0) != at(4) : cell.glyph != U' ';
+        }
+        CHECK(marked >= 5);
+    }
+}
+
 TEST_CASE("pool table: with few colours no number is bold black, which terminals show as grey") {
     const Scene scene = table_with_jaws("ball a at=100,50 r=2\nball b at=150,30 r=2\n");
     Annotations annotations = numbered_balls(scene);
