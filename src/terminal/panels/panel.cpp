@@ -1,6 +1,7 @@
 #include "terminal/panels/panel.h"
 
 #include <algorithm>
+#include <array>
 
 #include "level/text/utf8.h"
 #include "terminal/canvas/character_width.h"
@@ -80,14 +81,35 @@ CellArea draw_axes(Canvas& canvas, const CellArea& area, const AxisEnds& ends, c
     return inside;
 }
 
+namespace {
+
+// Whether the blank at `at` stands between a number and its unit, which stay together: "3 s".
+bool is_before_unit(std::string_view text, std::size_t at) {
+    constexpr std::array<std::string_view, 9> units{"s",  "ms", "m", "mm", "cm",
+                                                    "kg", "g",  "%", "m/s"};
+    if (at == 0 || text[at - 1] < '0' || text[at - 1] > '9') return false;
+    const std::string_view rest = text.substr(at + 1);
+    const std::string_view word = rest.substr(0, rest.find_first_of(" ,.;:)"));
+    return std::ranges::count(units, word) > 0;
+}
+
+// The blank where a line of at most `bytes` may end; npos: nowhere. Pre: bytes < text.size().
+std::size_t last_break(std::string_view text, std::size_t bytes) {
+    for (std::size_t at = bytes + 1; at-- > 1;)
+        if (text[at] == ' ' && !is_before_unit(text, at)) return at;
+    return std::string_view::npos;
+}
+
+}  // namespace
+
 std::vector<std::string> wrapped(std::string_view text, int columns) {
     std::vector<std::string> lines;
     const int width = std::max(1, columns);
     do {
         std::string_view line = cut_to(text, width);
-        if (line.size() < text.size() && text[line.size()] != ' ') {
-            const std::size_t blank = line.rfind(' ');
-            if (blank != std::string_view::npos && blank > 0) line = line.substr(0, blank);
+        if (line.size() < text.size()) {
+            const std::size_t blank = last_break(text, line.size());
+            if (blank != std::string_view::npos) line = text.substr(0, blank);
         }
         text.remove_prefix(line.size());
         while (line.ends_with(' '))

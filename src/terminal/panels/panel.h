@@ -46,7 +46,8 @@ struct AxisEnds {
 /// fit. Returns the area of the graph itself.
 CellArea draw_axes(Canvas& canvas, const CellArea& area, const AxisEnds& ends, const Look& look);
 
-/// Breaks text at blanks so that no line is longer than `columns`; a longer word is cut.
+/// Breaks text at blanks so that no line is longer than `columns`; a longer word is cut. A number
+/// and its unit, such as "3 s", stay together.
 std::vector<std::string> wrapped(std::string_view text, int columns);
 
 }  // namespace carom

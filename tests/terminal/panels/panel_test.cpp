@@ -17,6 +17,9 @@ TEST_CASE("text is wrapped at blanks, and only longer words are cut") {
     CHECK(wrapped("onetwothree", 4) == Lines{"onet", "woth", "ree"});
     CHECK(wrapped("  indented", 20) == Lines{"  indented"});
     CHECK(wrapped("äöü äöü", 3) == Lines{"äöü", "äöü"});
+    CHECK(wrapped("go for 3 s, then stop", 8) == Lines{"go for", "3 s,", "then", "stop"});
+    CHECK(wrapped("go for 3 so", 8) == Lines{"go for 3", "so"});
+    CHECK(wrapped("3 s", 1) == Lines{"3", "s"});
     CHECK(wrapped("abc", 0) == Lines{"a", "b", "c"});
 }
 
