@@ -21,24 +21,58 @@ bool BoardTexts::is_apart(Span text, int columns) const {
     });
 }
 
-bool BoardTexts::is_under_ball(int column, int row) const {
+bool BoardTexts::is_under(std::size_t ball, int column, int row) const {
     const Balls& balls = view_.world.balls();
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const CellPoint at = to_cells(view_.camera, balls.position[i]);
-        const double radius = balls.radius[i] * view_.camera.columns_per_length;
-        if (std::abs(at.column - (column + 0.5)) < radius + 1.0 &&
-            std::abs(at.row - (row + 0.5)) < radius / view_.camera.aspect + 1.0)
-            return true;
-    }
+    const CellPoint at = to_cells(view_.camera, balls.position[ball]);
+    const double radius = balls.radius[ball] * view_.camera.columns_per_length;
+    return std::abs(at.column - (column + 0.5)) < radius + 1.0 &&
+           std::abs(at.row - (row + 0.5)) < radius / view_.camera.aspect + 1.0;
+}
+
+bool BoardTexts::is_under_ball(int column, int row) const {
+    for (std::size_t i = 0; i < view_.world.balls().size(); ++i)
+        if (is_under(i, column, row)) return true;
     return false;
 }
 
-// A ball on its way over the cells does not count.
-bool BoardTexts::is_bare_ground(Span cells) const {
-    for (int i = cells.first; i < cells.end; ++i)
-        if (!view_.memory.ground.is_bare(canvas_, i, cells.row) && !is_under_ball(i, cells.row))
-            return false;
-    return true;
+bool BoardTexts::is_under_moving_ball(int column, int row) const {
+    constexpr double least_speed = 0.5;  // radii a second: what is slower stays
+    const Balls& balls = view_.world.balls();
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        if (length(balls.velocity[i]) > least_speed * balls.radius[i] && is_under(i, column, row))
+            return true;
+    return false;
+}
+
+// The glow of a light comes and goes, so it does not count, nor does a ball on its way over a cell.
+bool BoardTexts::is_in_glow(int column, int row) const {
+    if (!view_.annotations.table) return false;
+    return std::ranges::any_of(view_.annotations.table->lights, [&](const TableLight& light) {
+        const double glow = light.is_lit ? halo_radius(view_, light) : 0.0;
+        if (glow == 0.0) return false;
+        const CellPoint at = to_cells(view_.camera, light.shape.start);
+        const double aside = std::abs(at.column - (column + 0.5));
+        const double away = std::abs(at.row - (row + 0.5)) * view_.camera.aspect;
+        const double light_radius = light.shape.radius * view_.camera.columns_per_length;
+        return std::max(aside, away) > light_radius && aside < glow + 1.0 && away < glow + 1.0;
+    });
+}
+
+bool BoardTexts::is_bare(int column, int row) const {
+    return view_.memory.ground.is_bare(canvas_, column, row) || is_under_moving_ball(column, row) ||
+           is_in_glow(column, row);
+}
+
+BoardTexts::Under BoardTexts::under(Span cells) const {
+    std::optional<Under> all;
+    for (int i = cells.first; i < cells.end; ++i) {
+        const Under here = !is_bare(i, cells.row)                           ? Under::part
+                           : view_.memory.ground.is_off_board(i, cells.row) ? Under::outside
+                                                                            : Under::ground;
+        if (all && *all != here) return Under::mixed;
+        all = here;
+    }
+    return all.value_or(Under::ground);
 }
 
 bool BoardTexts::covers_light(Span text) const {
@@ -52,14 +86,16 @@ bool BoardTexts::covers_light(Span text) const {
 
 // The best place with so many columns between texts.
 std::optional<BoardTexts::Span> BoardTexts::place_for(Span text, int columns) const {
+    if (is_apart(text, columns) && under(text) == Under::outside) return text;
     std::optional<Span> place;
     for (const int aside : ways_aside) {
         const Span there{text.row, text.first + aside, text.end + aside};
-        if (!is_apart(there, columns)) continue;
+        if (!is_apart(there, columns) || under(there) != Under::ground) continue;
         // A blank on both sides sets a text that has moved apart from shapes.
         const int margin = aside == 0 ? 0 : 1;
-        if (is_bare_ground({there.row, there.first - margin, there.end + margin})) return there;
-        if (!place && (aside == 0 || !covers_light(there))) place = there;
+        if (under({there.row, there.first - margin, there.end + margin}) == Under::ground)
+            return there;
+        if (!place) place = there;
     }
     return place;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -12,8 +13,9 @@ namespace carom {
 
 /// Writes texts, and keeps each apart from those before it, so the caller writes the important ones
 /// first. Between two texts in a row are two columns, or one where two do not fit. A text moves up
-/// to three columns aside to where only the ground is; else it stays and covers shapes, or moves
-/// only as far as other texts need. It never covers a ball. Without such a place it is left out.
+/// to three columns aside to where only the ground is, and stays outside of the board where all of
+/// it is there. It never covers a ball. Without such a place it is left out: half on a part it
+/// could not be read, and would hide the part.
 class BoardTexts {
   public:
     /// Keeps references to both.
@@ -33,8 +35,14 @@ class BoardTexts {
   private:
     std::optional<Span> place_for(Span text, int columns) const;
     bool is_apart(Span text, int columns) const;
-    bool is_bare_ground(Span cells) const;
+    bool is_bare(int column, int row) const;
+    /// What all of the cells show. Outside: of the board, where the level has one.
+    enum class Under : std::uint8_t { ground, part, outside, mixed };
+    Under under(Span cells) const;
+    bool is_in_glow(int column, int row) const;
+    bool is_under(std::size_t ball, int column, int row) const;
     bool is_under_ball(int column, int row) const;
+    bool is_under_moving_ball(int column, int row) const;
 
     Canvas& canvas_;
     const View& view_;

@@ -39,8 +39,8 @@ void dim_copies(Canvas& canvas, const View& view) {
                 cell.attributes = static_cast<std::uint8_t>((cell.attributes & ~bold) | dim);
                 continue;
             }
-            cell.foreground = dimmed(
-                cell.foreground < 0 ? foreground_color(look) : cell.foreground, share, look);
+            cell.foreground =
+                dimmed(cell.foreground < 0 ? foreground_color(look) : cell.foreground, share, look);
             cell.background = dimmed(cell.background, share, look);
         }
 }

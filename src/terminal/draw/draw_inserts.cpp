@@ -153,6 +153,11 @@ Color unlit(Color color, double share, int column, int row, const View& view) {
     return dimmed(color, share, view.memory.ground.behind(column, row), view.options.look);
 }
 
+double halo_radius(const View& view, const TableLight& light) {
+    const double radius = light.shape.radius * view.camera.columns_per_length;
+    return radius >= least_halo ? halo_share * radius : 0.0;
+}
+
 void paint_insert(Raster& raster, const View& view, const TableLight& light) {
     const Look& look = view.options.look;
     Ink ink = light.color ? dress_ink(*light.color, look) : ink_of_class(light.family, look);

@@ -101,6 +101,8 @@ void paint_areas_above(Raster& raster, const View& view);
 void paint_cloud(Raster& raster, const View& view);
 void paint_pool(Raster& raster, const View& view);
 void paint_lamps(Raster& raster, const View& view);
+/// The radius of the glow around a light while it is lit, in columns; 0: it has none.
+double halo_radius(const View& view, const TableLight& light);
 void paint_insert(Raster& raster, const View& view, const TableLight& light);
 /// Fills a polygon by the even-odd rule, without smoothing its border.
 void fill_polygon(Raster& raster, std::span<const RasterPoint> corners, const Ink& ink,

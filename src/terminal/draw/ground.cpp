@@ -244,6 +244,11 @@ bool GroundLayer::is_bare(const Canvas& canvas, int column, int row) const {
            (cell.background == default_color || is_ground(cell.background));
 }
 
+bool GroundLayer::is_off_board(int column, int row) const {
+    return !board_->is_empty() &&
+           board_->at(to_world(key_->camera, {column + 0.5, row + 0.5})) == Ground::none;
+}
+
 Color GroundLayer::behind(int column, int row) const {
     const CellArea& area = key_->camera.area;
     const int across = column - area.column;

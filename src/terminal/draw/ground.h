@@ -44,6 +44,8 @@ class GroundLayer {
     Raster raster() const;
     /// Whether the cell shows the ground alone: no shape and no text.
     bool is_bare(const Canvas& canvas, int column, int row) const;
+    /// Whether the level has a board and the cell is outside of it. Pre: updated.
+    bool is_off_board(int column, int row) const;
     /// The colour of the ground in the middle of a cell of the canvas; that of the screen where the
     /// picture has no ground. Pre: updated.
     Color behind(int column, int row) const;

@@ -197,9 +197,32 @@ TEST_CASE("draw: a label beside another one moves aside, so that the two are two
     CHECK(canvas.text().find("MOULD██CRANE██ANVIL") != std::string::npos);
 }
 
+TEST_CASE("draw: a label that is half on a part, or half under a ball at rest, is left out") {
+    const auto shown = [](const std::string& more) {
+        const Scene scene = scene_of(
+            "world 0,0 40,20\npaint rect 0,0 40,20 color=#203040\n"
+            "label \"MILL\" at=20,10\n" +
+            more);
+        Canvas canvas(40, 10);
+        ViewOptions options;
+        options.renderer = &half_block_renderer();
+        options.look.colors = direct_colors;
+        ViewMemory memory;
+        draw_world(canvas, fit_camera(scene.view, {0, 0, 40, 10}, 2.0), scene, scene.world, {}, {},
+                   options, memory);
+        return canvas.text().find('M') != std::string::npos;
+    };
+    CHECK(shown("ball b at=35,10 r=1\n"));
+    // A wall in every place within three columns.
+    CHECK_FALSE(
+        shown("ball b at=35,10 r=1\nedge 17,9 17,11 r=1\nedge 20,9 20,11 r=0.5\n"
+              "edge 23,9 23,11 r=1\n"));
+    CHECK_FALSE(shown("ball b at=20,10 r=1\nball c at=16,10 r=1\nball d at=24,10 r=1\n"));
+}
+
 TEST_CASE("draw: a ball named red is red, paint lies under it, and a label on free ground") {
     const Scene scene = scene_of(
-        "world 0,0 40,20\npaint rect 0,0 40,20 color=#203040\nball red at=10,10 r=4\n"
+        "world 0,0 40,20\npaint rect 0,0 40,20 color=#203040\nball red at=10,10 v=5,0 r=4\n"
         "ball b at=30,10 color=#30c040 r=4\nlabel \"ON FREE GROUND\" at=10,10 align=left\n");
     for (const Renderer* renderer : {&half_block_renderer(), &ascii_renderer()}) {
         Canvas canvas(40, 10);
@@ -212,7 +235,7 @@ TEST_CASE("draw: a ball named red is red, paint lies under it, and a label on fr
         CHECK(cells_of(canvas, direct_color({0xd9, 0x2b, 0x2b})) > 5);
         CHECK(cells_of(canvas, direct_color({0x30, 0xc0, 0x40})) > 5);
         CHECK(cells_of(canvas, direct_color({0x20, 0x30, 0x40})) > 200);
-        // The label begins under the red ball, and shows only beside it.
+        // The label begins under the red ball, which is on its way, and shows only beside it.
         CHECK(canvas.text().find("ON FREE") == std::string::npos);
         CHECK(canvas.text().find("GROUND") != std::string::npos);
     }
