@@ -24,11 +24,12 @@ void PoolController::annotate(const PlayContext& play, Annotations& annotations)
     stick = {stick.from + back, stick.to + back};
 }
 
-// Where the rules show a part of the table, `0` switches to the whole of it and back.
+// Where the rules show a part of the table, nothing beyond it is seen, such as the next hole of a
+// course; `0` switches to the whole of it and back.
 Camera PoolController::fit(const PlayContext& play, const CellArea& area, double aspect) {
     const ShotsState* const shots = shots_of(play.session);
     const auto part = shots ? box_to_look_at(play.session.scene(), *shots) : std::nullopt;
-    return part && !play.view.shows_whole ? fit_camera(*part, area, aspect)
+    return part && !play.view.shows_whole ? fit_camera_to_part(*part, area, aspect)
                                           : play.view.fitted(area, aspect);
 }
 

@@ -40,6 +40,21 @@ Camera fit_camera(const Box& view, const CellArea& area, double aspect, double m
     return camera;
 }
 
+Camera fit_camera_to_part(const Box& part, const CellArea& area, double aspect) {
+    const Camera whole = fit_camera(part, area, aspect);
+    const auto needed = [](double cells, int most) {
+        return static_cast<int>(std::clamp(std::ceil(cells + 2.0 * fit_margin), 1.0,
+                                           static_cast<double>(std::max(1, most))));
+    };
+    const Vec2 cells = size(part) * whole.columns_per_length;
+    CellArea cut = area;
+    cut.columns = std::min(area.columns, needed(cells.x, area.columns));
+    cut.rows = std::min(area.rows, needed(cells.y / whole.aspect, area.rows));
+    cut.column += (area.columns - cut.columns) / 2;
+    cut.row += (area.rows - cut.rows) / 2;
+    return fit_camera(part, cut, aspect);
+}
+
 CellPoint to_cells(const Camera& camera, Vec2 point) {
     const Vec2 offset = (point - camera.center) * camera.columns_per_length;
     return {camera.area.column + 0.5 * camera.area.columns + offset.x,

@@ -32,6 +32,10 @@ inline constexpr double fit_margin = 0.5;
 /// that is not positive and finite counts as 2. Pre: margin >= 0.
 Camera fit_camera(const Box& view, const CellArea& area, double aspect, double margin = fit_margin);
 
+/// A camera that shows `part` alone: its area is the middle of `area`, and no larger than the cells
+/// that the part and the margin around it touch.
+Camera fit_camera_to_part(const Box& part, const CellArea& area, double aspect);
+
 CellPoint to_cells(const Camera& camera, Vec2 point);
 Vec2 to_world(const Camera& camera, CellPoint place);
 

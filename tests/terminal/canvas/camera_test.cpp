@@ -35,6 +35,27 @@ TEST_CASE("without a margin a view ends with the cells of the window") {
     CHECK(to_cells(camera, {0, 0}).row == doctest::Approx(window.row + window.rows));
 }
 
+TEST_CASE("a part is seen alone, in the middle of the window") {
+    const Box part{{10, 20}, {45, 38}};
+    for (const CellArea area : {CellArea{0, 0, 100, 37}, CellArea{3, 1, 200, 20},
+                                CellArea{0, 0, 80, 21}, CellArea{0, 0, 1, 1}}) {
+        CAPTURE(area.columns);
+        const Camera camera = fit_camera_to_part(part, area, 2.0);
+        const double cell = 1.0 / camera.columns_per_length;
+        const Box seen = visible_box(camera);
+        if (area.columns > 1) {
+            CHECK(contains(grow(part, 2.5 * cell), seen.low));
+            CHECK(contains(grow(part, 2.5 * cell), seen.high));
+            CHECK(contains(grow(seen, 1e-9), part.low));
+            CHECK(contains(grow(seen, 1e-9), part.high));
+        }
+        const int left = camera.area.column - area.column;
+        const int right = area.columns - camera.area.columns - left;
+        CHECK(left >= 0);
+        CHECK(std::abs(left - right) <= 1);
+    }
+}
+
 TEST_CASE("mapping a world point to cells and back gives the point") {
     const Camera camera = fit_camera({{-7, 3}, {90, 40}}, window, 1.9);
     for (const Vec2 point : {Vec2{0, 0}, Vec2{-7, 3}, Vec2{1e3, -1e3}, Vec2{41.5, 21.5}}) {
