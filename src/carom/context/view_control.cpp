@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "carom/context/solver_choice.h"
 #include "physics/broad_phase/cell_frame.h"
 
 namespace carom {

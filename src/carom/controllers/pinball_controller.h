@@ -39,7 +39,8 @@ class PinballController : public FreeController {
     bool is_demonstrating() const { return demo_.has_value(); }
     void next_flipper_mode(PlayContext& play);
     /// A score for which the player has entered initials; returned once.
-    std::optional<HighScore> take_high_score() { return feedback_.scores().take(); }
+    PinballScores& scores() { return feedback_.scores(); }
+    const PinballScores& scores() const { return feedback_.scores(); }
 
   private:
     bool take_mouse(PlayContext& play, const InputEvent& event);

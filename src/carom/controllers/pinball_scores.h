@@ -24,7 +24,8 @@ class PinballScores {
     /// first. Not after a game that the demo took part in or that was left out, nor in a recording
     /// (`watched`).
     void follow(const PinballState& state, bool is_demonstrating, bool is_watched);
-    /// Leaves this game out of the high scores: its player went back and changed it, or slowed it.
+    /// Leaves this game out of the high scores: its player went back and changed it, or slowed it,
+    /// in this session or before it was resumed.
     void leave_out() { is_left_out_ = true; }
     bool is_left_out() const { return is_left_out_; }
     /// The table stands as at the start, where its games are counted anew.

@@ -200,6 +200,16 @@ const PoolPlayers* Player::pool_players() const {
     return pool ? &pool->players() : nullptr;
 }
 
+PinballScores* Player::pinball_scores() {
+    auto* const pinball = dynamic_cast<PinballController*>(play_.controller.get());
+    return pinball ? &pinball->scores() : nullptr;
+}
+
+const PinballScores* Player::pinball_scores() const {
+    const auto* const pinball = dynamic_cast<const PinballController*>(play_.controller.get());
+    return pinball ? &pinball->scores() : nullptr;
+}
+
 int Player::opponent() const {
     const PoolPlayers* const players = pool_players();
     return players ? players->opponent() : 0;
@@ -227,11 +237,6 @@ void Player::demonstrate() {
 bool Player::is_demonstrating() const {
     const auto* const pinball = dynamic_cast<const PinballController*>(play_.controller.get());
     return pinball && pinball->is_demonstrating();
-}
-
-std::optional<HighScore> Player::take_high_score() {
-    auto* const pinball = dynamic_cast<PinballController*>(play_.controller.get());
-    return pinball ? pinball->take_high_score() : std::nullopt;
 }
 
 bool cancels_tick(const InputEvent& event, const KeyMap& keys) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "carom/context/play_context.h"
+#include "carom/controllers/pinball_scores.h"
 #include "carom/pool/pool_players.h"
 #include "game/pool/shot_setup.h"
 
@@ -65,6 +66,9 @@ class Player {
     /// Who plays at a pool table; null elsewhere.
     PoolPlayers* pool_players();
     const PoolPlayers* pool_players() const;
+    /// The high scores of a pinball table that is played; null elsewhere.
+    PinballScores* pinball_scores();
+    const PinballScores* pinball_scores() const;
     /// The AI player at a pool table, by number; 0: none.
     int opponent() const;
     /// Names the players of a recording. Pre: is_watching().
@@ -77,8 +81,6 @@ class Player {
     /// Starts the demo at a pinball table.
     void demonstrate();
     bool is_demonstrating() const;
-    /// A score for which the player has entered initials; returned once.
-    std::optional<HighScore> take_high_score();
 
     const Session& session() const { return play_.session; }
     /// Whether a recording is being watched: then keys control only time and view.

@@ -27,7 +27,8 @@ bool is_key_press(const InputEvent& event) {
 
 // Keeps a score once its initials are entered, or the time for them has passed.
 void keep_score(Player& player, const std::string& path) {
-    const auto score = player.take_high_score();
+    PinballScores* const scores = player.pinball_scores();
+    const auto score = scores ? scores->take() : std::nullopt;
     if (!score) return;
     const std::size_t most = player.session().scene().table.highscores;
     HighScoresText kept = keep_high_score(high_scores_name(path), most, *score);

@@ -31,6 +31,8 @@ void Program::finish_resuming() {
         players->set_opponent(player.session(), replay.opponent);
         if (replay.time_left) players->set_time_left(player.session(), *replay.time_left);
     }
+    if (PinballScores* const scores = player.pinball_scores(); scores && replay.is_unranked)
+        scores->leave_out();
     // Where a shot is being aimed, nothing moves before the stroke, which a pause would only stop.
     const bool aims = replay.setup && !replay.time_left && is_at_rest(player.session().world());
     player.pause(!aims);

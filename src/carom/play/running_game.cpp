@@ -50,6 +50,8 @@ bool RunningGame::autosave() {
         replay.opponent = players->opponent();
         replay.time_left = players->time_left(session);
     }
+    if (const PinballScores* const scores = player.pinball_scores())
+        replay.is_unranked = scores->is_left_out();
     if (const auto problem = resume_file.save(replay)) {
         player.complain(*problem);
         return false;

@@ -125,6 +125,8 @@ class ReplayReader {
             replay_.setup = read_shot_setup(words);
         } else if (keyword == "time-left") {
             replay_.time_left = words.real();
+        } else if (keyword == "unranked") {
+            replay_.is_unranked = true;
         } else if (keyword == "stands") {
             replay_.position = words.integer<std::uint64_t>();
             has_position_ = true;

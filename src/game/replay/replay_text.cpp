@@ -49,6 +49,7 @@ std::string replay_text(const Replay& replay) {
     if (replay.opponent > 0) fmt::format_to(out, "opponent {}\n", replay.opponent);
     if (replay.time_left) fmt::format_to(out, "time-left {}\n", *replay.time_left);
     if (replay.setup) fmt::format_to(out, "stance {}\n", replay_text(*replay.setup));
+    if (replay.is_unranked) text += "unranked\n";
     if (replay.position != replay.end) fmt::format_to(out, "stands {}\n", replay.position);
     fmt::format_to(out, "end {}\n", replay.end);
     return text;

@@ -67,6 +67,8 @@
 ///     stance 30.5 2 0.1 -0.3 full pocket 4  the shot being set up: bearing, speed, side and
 ///                                         follow of the tip, aids, intent, pocket
 ///     time-left 12.5                      s on the shot clock; absent: all of it
+///     unranked                            the game is not for the high scores: the player went
+///                                         back and changed it, say, or carom played in it
 ///     stands 1100                         the player's position in time; absent: the end
 ///     end 1200                            the last tick
 ///
@@ -74,8 +76,8 @@
 ///
 /// The lines `at` and `mark` are each in ascending order of ticks. If there are marks, the last one
 /// lies at most a second before `end`. All lines are required but
-/// `include`, `set`, `at`, `mark`, `opponent`, `stance`, `time-left` and `stands`. `end` is the
-/// last line: without it the recording is incomplete.
+/// `include`, `set`, `at`, `mark`, `opponent`, `stance`, `time-left`, `unranked` and `stands`.
+/// `end` is the last line: without it the recording is incomplete.
 namespace carom {
 
 struct Replay {
@@ -98,6 +100,7 @@ struct Replay {
     int opponent = 0;            ///< pool: number of the AI player; 0: two people
     std::optional<ShotSetup> setup;
     std::optional<double> time_left;  ///< on the shot clock, s
+    bool is_unranked = false;         ///< pinball: not for the high scores
 };
 
 std::string replay_text(const Replay& replay);

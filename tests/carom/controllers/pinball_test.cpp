@@ -231,6 +231,35 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a game that was rewound and changed asks for no initials after it is resumed either") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    for (const bool changes : {false, true}) {
+        CAPTURE(changes);
+        {
+            AtTable table(home);
+            table.pass(1.0);
+            table.key(key::enter);
+            table.pass(2.6);
+            REQUIRE(table.sees("NO BONUS"));
+            table.key(U'<');
+            table.key(U'<');
+            table.pass(0.1);
+            if (changes) table.key(U'z');
+            table.pass(0.1);
+            table.key(U'q');
+        }
+        AtTable table(home, false, false, "", true);
+        table.pass(0.1);
+        REQUIRE(table.sees("Resumed."));
+        table.key(U' ');
+        table.pass(8.0);
+        CHECK(table.sees("YOUR INITIALS") == !changes);
+        table.key(key::escape);
+        table.key(U'q');
+    }
+}
+
 TEST_CASE("a game after a restart asks for initials, like the one before it") {
     const TableHome home;
     home.write("work.level", short_game);
