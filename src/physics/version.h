@@ -59,6 +59,11 @@ namespace carom {
 /// - `swept`: a ball with the same index as the edge that it meets is charged for its work, too.
 /// - `swept`: a ball that rises with the ball below it loses the kinetic energy that the height
 ///   costs.
-inline constexpr int physics_version = 5;
+/// 6:
+/// - `event`: what the stop speed or the speed limit changes goes on counting its collisions, and
+/// slow
+///   pairs meet once they have sunk in, whatever accelerates them. Position correction pushes no
+///   ball into an edge, however far from the origin.
+inline constexpr int physics_version = 6;
 
 }  // namespace carom
