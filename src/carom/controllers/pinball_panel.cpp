@@ -72,17 +72,19 @@ std::vector<std::string> timer_lines(const Session& session) {
     return lines;
 }
 
-/// Tilt, the ball saver, or warnings; empty if there are none.
+/// Tilt, or the ball saver and warnings; empty if there are none.
 std::string safety_line(const Session& session) {
     const auto& state = std::get<PinballState>(session.game());
     const std::uint64_t tick = session.world().tick();
     if (state.is_tilted) return "TILT";
+    std::string line;
     if (tick < state.save_until && state.phase != PinballState::Phase::over) {
         const auto left = static_cast<double>(state.save_until - tick) / session.world().rate();
-        return fmt::format("ball saver {:.0f} s", std::ceil(left));
+        line = fmt::format("ball saver {:.0f} s", std::ceil(left));
     }
-    if (state.warnings == 0) return {};
-    return fmt::format("tilt warnings {} of {}", state.warnings, session.scene().table.warnings);
+    if (state.warnings == 0) return line;
+    return fmt::format("{}warning {} of {}", line.empty() ? "tilt " : line + ", ", state.warnings,
+                       session.scene().table.warnings);
 }
 
 }  // namespace

@@ -678,6 +678,25 @@ TEST_CASE("a plunger that is held as the game ends lets go while initials are ty
     CHECK_FALSE(table.sees("100 %"));
 }
 
+TEST_CASE("the ball saver does not hide how many warnings are left") {
+    const TableHome home;
+    std::string text = short_game;
+    text.replace(text.find("save=0s"), 7, "save=10s");
+    home.write("work.level", text);
+    AtTable table(home, true);
+    table.pass(1.0);
+    table.key(key::enter);
+    table.pass(1.0);
+    table.key(key::enter, InputEvent::Action::release);
+    table.pass(0.2);
+    for (int i = 0; i < 2; ++i) {
+        table.key(U'x');
+        table.pass(0.12);
+        table.key(U'x', InputEvent::Action::release);
+    }
+    CHECK(table.sees("ball saver 10 s, warning 1 of 3"));
+}
+
 TEST_CASE("a tilt ends a celebration") {
     const TableHome home;
     std::string text = short_game;
