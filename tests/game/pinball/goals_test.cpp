@@ -208,52 +208,6 @@ TEST_CASE("a mode that fails is taken up with its count") {
     CHECK(task_text(scene, world, state) == "HIT THE BUMPERS: 9 MORE  0:30");
 }
 
-TEST_CASE("a wizard mode begins without the jackpots of an earlier multiball") {
-    struct Wizard {
-        std::string table;
-        std::vector<std::string_view> lit;
-        std::string_view shot;
-        RuleEvent event;
-    };
-    const Wizard wizards[] = {
-        {"three-bumpers", {"crowns"}, "west", RuleEvent::hit},
-        {"night-vault", {"jobs"}, "alarm", RuleEvent::hit},
-        {"cable-car", {"trips", "summit", "depart"}, "station", RuleEvent::enter},
-        {"foundry", {"orders", "great", "order"}, "crucible", RuleEvent::enter}};
-    for (const Wizard& wizard : wizards) {
-        CAPTURE(wizard.table);
-        const Scene scene = test::shipped_level(wizard.table);
-        World world = scene.world;
-        GameState game = begin_game(scene);
-        auto& state = std::get<PinballState>(game);
-        const Pinball table{scene, world, state};
-        run_rules(table);
-        const auto number =
-            std::ranges::find(scene.rules.variables, "jackpots", &RuleVariable::name) -
-            scene.rules.variables.begin();
-        const auto jackpots = [&] {
-            return values_of(scene.rules, state.rules, static_cast<std::size_t>(number));
-        };
-        state.rules
-            .values[static_cast<std::size_t>(jackpots().data() - state.rules.values.data())] = 3;
-        const auto is_one_of = [&](const DeviceGroup& group) {
-            return std::ranges::count(wizard.lit, group.name) > 0;
-        };
-        for (const DeviceGroup& group : scene.table.groups)
-            for (const std::uint32_t device : group.devices)
-                if (is_one_of(group)) state.is_lit[device] = 1;
-        for (const DeviceGroup& group : scene.table.groups)
-            for (const std::uint32_t device : group.devices)
-                if (group.name == wizard.shot) apply_rules(table, device, wizard.event);
-        CHECK(state.to_serve == 2);
-        CHECK(jackpots()[0] == 0);
-        // The lights that led to it go out, however the mode ends.
-        for (const DeviceGroup& group : scene.table.groups)
-            for (const std::uint32_t device : group.devices)
-                if (is_one_of(group)) CHECK(state.is_lit[device] == 0);
-    }
-}
-
 TEST_CASE("a table asks for no shot before the rules have begun the turn") {
     SmallTable game(
         "game pinball save=0s\nvar skill\non turn begins skill 1\n"

@@ -1,0 +1,143 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/pinball/pinball.h"
+#include "game/pinball/pinball_table.h"
+#include "game/rules/rules.h"
+#include "game/session/game_state.h"
+#include "game/support/shipped.h"
+
+// Faults that the rules of the shipped tables had.
+using namespace carom;
+
+namespace {
+
+/// A shipped table whose devices a test hits by name.
+struct ShippedTable {
+    explicit ShippedTable(const std::string& name)
+        : scene(test::shipped_level(name)), world(scene.world), game(begin_game(scene)) {
+        run_rules(table());
+    }
+
+    PinballState& state() { return std::get<PinballState>(game); }
+    Pinball table() { return {scene, world, state()}; }
+    const std::vector<std::uint32_t>& devices(std::string_view group) const {
+        const auto found = std::ranges::find(scene.table.groups, group, &DeviceGroup::name);
+        REQUIRE(found != scene.table.groups.end());
+        return found->devices;
+    }
+    void happen(std::string_view group, std::size_t which, RuleEvent event) {
+        apply_rules(table(), devices(group)[which], event);
+    }
+    void happen_to_all(std::string_view group, RuleEvent event) {
+        for (std::size_t i = 0; i < devices(group).size(); ++i)
+            happen(group, i, event);
+    }
+    void light(std::string_view group, std::size_t lights) {
+        for (std::size_t i = 0; i < lights; ++i)
+            state().is_lit[devices(group)[i]] = 1;
+    }
+    std::size_t lit(std::string_view group) {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            devices(group), [&](std::uint32_t device) { return state().is_lit[device] != 0; }));
+    }
+    /// The variable of the first player.
+    std::int64_t& variable(std::string_view name) {
+        const auto found = std::ranges::find(scene.rules.variables, name, &RuleVariable::name);
+        REQUIRE(found != scene.rules.variables.end());
+        const auto number = static_cast<std::size_t>(found - scene.rules.variables.begin());
+        std::vector<std::int64_t>& values = state().rules.values;
+        const auto own = values_of(scene.rules, state().rules, number);
+        return values[static_cast<std::size_t>(own.data() - values.data())];
+    }
+    std::string task() { return task_text(scene, world, state()); }
+
+    Scene scene;
+    World world;
+    GameState game;
+};
+
+}  // namespace
+
+TEST_CASE("the storm of Cable Car asks for a shot that each flipper has") {
+    ShippedTable table("cable-car");
+    table.happen("lanes", 0, RuleEvent::enter);  // the skill shot is over
+    table.light("trips", 1);
+    table.light("depart", 1);
+    table.happen("station", 0, RuleEvent::enter);
+    CHECK(table.task() == "STORM: SHOOT A LANE AT THE WALLS, 2 MORE  0:30");
+    table.happen("walls", 0, RuleEvent::enter);
+    CHECK(table.task() == "STORM: SHOOT A LANE AT THE WALLS, 1 MORE  0:30");
+    table.happen("walls", 1, RuleEvent::enter);
+    CHECK(table.state().message == "STORM DONE 25,000");
+    CHECK(table.lit("trips") == 2);
+}
+
+TEST_CASE("a bank that is completed by the same shot hides no message of a mode or a jackpot") {
+    struct Shot {
+        std::string table;
+        std::string_view bank;
+        std::int64_t mode = 0;
+        std::string_view count = "need";
+        RuleEvent event = RuleEvent::hit;
+    };
+    const Shot shots[] = {{"three-bumpers", "stands", 3, "hits"},
+                          {"three-bumpers", "stands"},
+                          {"night-vault", "guards", 2},
+                          {"night-vault", "guards"},
+                          {"cable-car", "walls", 2, "need", RuleEvent::enter},
+                          {"foundry", "ingots", 2}};
+    for (const Shot& shot : shots) {
+        CAPTURE(shot.table);
+        CAPTURE(shot.mode);
+        ShippedTable table(shot.table);
+        const std::size_t devices = table.devices(shot.bank).size();
+        table.light(shot.bank, devices - 1);
+        table.variable("mode") = shot.mode;
+        if (shot.mode > 0) {
+            table.variable(shot.count) = 1;
+        } else {
+            table.variable("jackpots") = 2;
+            BallSpec ball = spec_of(table.scene.world, 0);
+            ball.position = {0.25, 0.5};
+            add_ball(table.world, ball);
+        }
+        table.happen(shot.bank, devices - 1, shot.event);
+        const bool is_told = table.state().message.find(" DONE ") != std::string::npos ||
+                             table.state().message == "SUPER JACKPOT";
+        CHECK_MESSAGE(is_told, table.state().message);
+        CHECK(table.variable("mode") == 0);
+    }
+}
+
+TEST_CASE("a wizard mode begins without the jackpots of an earlier multiball") {
+    struct Wizard {
+        std::string table;
+        std::vector<std::string_view> lit;
+        std::string_view shot;
+        RuleEvent event;
+    };
+    const Wizard wizards[] = {
+        {"three-bumpers", {"crowns"}, "west", RuleEvent::hit},
+        {"night-vault", {"jobs"}, "alarm", RuleEvent::hit},
+        {"cable-car", {"trips", "summit", "depart"}, "station", RuleEvent::enter},
+        {"foundry", {"orders", "great", "order"}, "crucible", RuleEvent::enter}};
+    for (const Wizard& wizard : wizards) {
+        CAPTURE(wizard.table);
+        ShippedTable table(wizard.table);
+        table.variable("jackpots") = 3;
+        for (const std::string_view group : wizard.lit)
+            table.light(group, table.devices(group).size());
+        table.happen_to_all(wizard.shot, wizard.event);
+        CHECK(table.state().to_serve == 2);
+        CHECK(table.variable("jackpots") == 0);
+        // The lights that led to it go out, however the mode ends.
+        for (const std::string_view group : wizard.lit)
+            CHECK(table.lit(group) == 0);
+    }
+}
