@@ -4,6 +4,15 @@
 
 namespace carom {
 
+namespace {
+
+SweptCells::Range joined(const SweptCells::Range& a, const SweptCells::Range& b) {
+    return {std::min(a.low_column, b.low_column), std::max(a.high_column, b.high_column),
+            std::min(a.low_row, b.low_row), std::max(a.high_row, b.high_row)};
+}
+
+}  // namespace
+
 void SweptCells::reset(const CellFrame& frame, std::size_t balls) {
     frame_ = frame;
     head_.assign(frame.count(), none);
@@ -35,13 +44,13 @@ SweptCells::Range SweptCells::range_of(const Box& box) const {
 }
 
 void SweptCells::enter(std::uint32_t index, const Box& box, bool is_first) {
-    const Range now = range_of(box);
+    if (is_wide_[index] != 0) return;
     const Range old = is_first ? Range{} : ranges_[index];
+    const Range now = is_first ? range_of(box) : joined(old, range_of(box));
     const std::int64_t columns = now.high_column - now.low_column + 1;
     const std::int64_t rows = now.high_row - now.low_row + 1;
     if (columns * rows > most_cells) {
-        ranges_[index] = {};
-        if (is_wide_[index] == 0) wide_.push_back(index);
+        wide_.push_back(index);
         is_wide_[index] = 1;
         return;
     }

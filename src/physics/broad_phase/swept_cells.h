@@ -9,9 +9,11 @@
 namespace carom {
 
 /// A dynamic grid of boxes around paths: a ball is inserted into every cell that its path can
-/// touch, and again when its path changes. Entries of an old path stay, which costs queries a test.
+/// touch, and into more when its path changes: into the rectangle of cells round its old and new
+/// boxes. Entries of an old path stay, which costs queries a test. A ball has one entry in a cell
+/// at most, however often its path changes to and fro.
 ///
-/// A path whose box touches more than `most_cells` cells is on a list beside them: entering each
+/// A ball whose rectangle has more than `most_cells` cells is on a list beside them: entering each
 /// cell would cost more than to test it in every query, and a query for such a path would pass over
 /// an entry of each other one in each cell.
 class SweptCells {
@@ -42,6 +44,9 @@ class SweptCells {
         for (int step = -1; step <= 1; ++step)
             prefetch_line(&head_[frame_.index(column, frame_.bounded(row + step, frame_.rows))]);
     }
+
+    /// In all cells: what the cells of queries can hold.
+    std::size_t entry_count() const { return entries_.size(); }
 
     /// The cells that `box` touches.
     Range range_of(const Box& box) const;
@@ -90,7 +95,7 @@ class SweptCells {
     void begin_round();
 
     CellFrame frame_;
-    std::vector<Range> ranges_;  // by ball; of balls that have entered cells
+    std::vector<Range> ranges_;  // by ball: the cells that it has entered, unless it is wide
     std::vector<std::uint32_t> head_;
     std::vector<Entry> entries_;
     std::vector<std::uint32_t> wide_;    // since the last reset

@@ -80,6 +80,28 @@ TEST_CASE("paths that come close share a cell, and each pair is found once") {
     }
 }
 
+// Regression: a ball in a jam entered its cells anew at every change of its path, and queries
+// passed over all of these entries: a tick took 10 s (check-scenes 3047115).
+TEST_CASE("a path that changes to and fro has one entry in a cell") {
+    World world = scenes::gas(200, 15);
+    SweptCells cells;
+    cells.reset(frame_around(world, 3.0), 200);
+    const Box here = grow({world.balls().position[0], world.balls().position[0]}, 1.0);
+    const Vec2 aside = world.balls().position[0] + Vec2{4.0, 4.0};
+    const Box there = grow({aside, aside}, 1.0);
+    cells.enter(0, here, true);
+    cells.enter(0, there, false);
+    const std::size_t entries = cells.entry_count();
+    for (int change = 0; change < 1000; ++change)
+        cells.enter(0, change % 2 == 0 ? here : there, false);
+    CHECK(cells.entry_count() == entries);
+    for (const Box& box : {here, there}) {
+        int found = 0;
+        cells.for_each_in(cells.range_of(box), [&](std::uint32_t) { ++found; });
+        CHECK(found == 1);
+    }
+}
+
 // It counted a million columns and rows, and their product was too large for the index of a cell.
 TEST_CASE("a frame around points that are nowhere has one cell") {
     for (const double nowhere :
