@@ -90,17 +90,17 @@ struct Solver::State {
     World before;  // a tick that may be repeated
 
     TickOutcome advance(World& world, const std::function<bool()>& keep_going,
-                        bool is_strict = false);
+                        bool is_strict = false, bool is_repeated = false);
     TickOutcome advance_by_trial(World& world, bool has_hands, bool has_movers,
                                  const std::function<bool()>& keep_going);
     bool is_sound_for_movers(const World& world);
 };
 
 TickOutcome Solver::State::advance(World& world, const std::function<bool()>& keep_going,
-                                   bool is_strict) {
+                                   bool is_strict, bool is_repeated) {
     contacts.clear();
     touched.assign(world.balls().size(), 0);
-    return method->advance(world, {contacts, touched, keep_going, is_strict});
+    return method->advance(world, {contacts, touched, keep_going, is_strict, is_repeated});
 }
 
 bool Solver::State::is_sound_for_movers(const World& world) {
@@ -117,10 +117,11 @@ TickOutcome Solver::State::advance_by_trial(World& world, bool has_hands, bool h
                                             const std::function<bool()>& keep_going) {
     before = world;
     bool is_strict = false;
-    for (double share = hands.first_share();;) {
+    bool is_repeated = false;
+    for (double share = hands.first_share();; is_repeated = true) {
         if (has_hands) hands.aim(world, share);
         if (has_movers) movers.aim(world);
-        const TickOutcome outcome = advance(world, keep_going, is_strict);
+        const TickOutcome outcome = advance(world, keep_going, is_strict, is_repeated);
         if (outcome == TickOutcome::cancelled) return outcome;
         const bool suits_hands =
             !has_hands || is_strict ||

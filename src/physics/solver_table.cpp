@@ -64,7 +64,7 @@ class SweptMethod final : public SolverMethod {
 
     TickOutcome advance(World& world, TickWork work) override {
         return tick_without_memory(world, work, [&](CancellationToken& token) {
-            solver_.tick(world, substeps_, work.contacts, work.touched, token);
+            solver_.tick(world, substeps_, work.contacts, work.touched, token, work.is_repeated);
         });
     }
     std::span<const std::uint32_t> standing() const override { return solver_.standing(); }
@@ -89,7 +89,7 @@ class ContactMethod final : public SolverMethod {
         }
         return tick_without_memory(world, work, [&](CancellationToken& token) {
             swept_.tick(world, flight_substeps(world, substeps_), work.contacts, work.touched,
-                        token);
+                        token, work.is_repeated);
         });
     }
     bool can_be_strict() const override { return true; }
@@ -118,13 +118,16 @@ class EventMethod final : public SolverMethod {
         const bool has_clusters = uses_hybrid_step(world.model(), {.kind = SolverKind::event}) &&
                                   HybridCluster::is_needed(world);
         was_hybrid_ = has_clusters;
+        // A trial that is left to `contact` does not begin a budget of the engine.
+        if (!work.is_repeated) event_.forget_trials();
         // While hands prevent hybrid steps, balls that `contact` left overlapping stay clustered.
         overlapping_.clear();
         if (!has_clusters) overlapping_ = event_memory(world).clustered;
         const EventOutcome outcome =
             has_clusters ? hybrid_.tick(world, event_, contact_, work.contacts, work.touched,
-                                        work.keep_going)
-                         : event_.tick(world, work.contacts, work.touched, work.keep_going);
+                                        work.keep_going, work.is_repeated)
+                         : event_.tick(world, work.contacts, work.touched, work.keep_going,
+                                       work.is_repeated);
         if (outcome == EventOutcome::cancelled) return TickOutcome::cancelled;
         EventMemory& memory = SolverAccess(world).memory().use<EventMemory>();
         if (!has_clusters) memory.contacts.clear();
@@ -162,7 +165,7 @@ class ExtendedEventMethod final : public SolverMethod {
   public:
     TickOutcome advance(World& world, TickWork work) override {
         const EventOutcome outcome =
-            event_.tick(world, work.contacts, work.touched, work.keep_going);
+            event_.tick(world, work.contacts, work.touched, work.keep_going, work.is_repeated);
         if (outcome == EventOutcome::cancelled) return TickOutcome::cancelled;
         EventMemory& memory = SolverAccess(world).memory().use<EventMemory>();
         memory.clustered.clear();

@@ -23,6 +23,9 @@ struct TickWork {
     const std::function<bool()>& keep_going;
     /// A tick whose bodies may not sink into one another, at any cost: SolverMethod::can_be_strict.
     bool is_strict = false;
+    /// The tick has been computed before, with longer displacements of hands or movers: what that
+    /// cost is taken from its budget (tick/work_budget.h).
+    bool is_repeated = false;
 };
 
 /// How one solver moves a world through a tick: one virtual call a tick, above all loops.

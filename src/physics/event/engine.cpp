@@ -7,8 +7,8 @@ namespace carom {
 template <typename Real>
 EventOutcome EventEngine<Real>::tick(World& world, std::vector<Contact>& contacts,
                                      std::vector<std::uint8_t>& touched,
-                                     const std::function<bool()>& keep_going) {
-    begin(world, keep_going);
+                                     const std::function<bool()>& keep_going, bool is_repeated) {
+    begin(world, keep_going, is_repeated);
     if (work_.is_cancelled()) return EventOutcome::cancelled;
     const ImpactRecord record{contacts, touched};
     Real limit = end_of_events();
@@ -60,8 +60,9 @@ bool EventEngine<Real>::turn_back_at_stop() {
 }
 
 template <typename Real>
-void EventEngine<Real>::begin(World& world, const std::function<bool()>& keep_going) {
-    work_.begin(keep_going, world.balls().size());
+void EventEngine<Real>::begin(World& world, const std::function<bool()>& keep_going,
+                              bool is_repeated) {
+    work_.begin(keep_going, world.balls().size(), is_repeated);
     guard_.begin_tick();
     standstill_.begin_tick();
     scene_.world = &world;

@@ -48,9 +48,14 @@ class EventEngine {
 
     /// Advances the world by one tick, and appends its impacts to `contacts`, with bodies by index.
     /// `touched`, by ball, is set where an impact changed the ball. `keep_going`, which may be
-    /// empty, is asked now and then (work_meter.h); false cancels the tick.
+    /// empty, is asked now and then (work_meter.h); false cancels the tick. `is_repeated`: the tick
+    /// has been computed before, in another trial (TickWork::is_repeated).
     EventOutcome tick(World& world, std::vector<Contact>& contacts,
-                      std::vector<std::uint8_t>& touched, const std::function<bool()>& keep_going);
+                      std::vector<std::uint8_t>& touched, const std::function<bool()>& keep_going,
+                      bool is_repeated = false);
+
+    /// A new tick: trials before it do not count.
+    void forget_trials() { work_.forget_trials(); }
 
     const CellFrame& cells() const { return space_.cells().frame(); }
     /// The balls for which time stood still in a part of the last tick, by index.
@@ -59,7 +64,7 @@ class EventEngine {
     std::uint64_t iterations() const { return work_.search().iterations; }
 
   private:
-    void begin(World& world, const std::function<bool()>& keep_going);
+    void begin(World& world, const std::function<bool()>& keep_going, bool is_repeated);
     void handle(std::uint32_t ball, const BallEvent<Real>& event, const ImpactRecord& record);
     void transfer(std::uint32_t ball, std::uint32_t what);
     void impact(std::uint32_t ball, const BallEvent<Real>& event, const ImpactRecord& record);

@@ -18,12 +18,12 @@ EventMemory& memory_of(World& world) {
 
 EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactSolver& contact,
                               std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
-                              const std::function<bool()>& keep_going) {
+                              const std::function<bool()>& keep_going, bool is_repeated) {
     pressing_.clear();
     cluster_.find(world);
     if (!cluster_.has_balls()) {
         // The balls of the cluster no longer exist, or a hand lifts nothing.
-        const EventOutcome outcome = event.tick(world, contacts, touched, keep_going);
+        const EventOutcome outcome = event.tick(world, contacts, touched, keep_going, is_repeated);
         if (outcome != EventOutcome::cancelled) memory_of(world).contacts.clear();
         standing_.assign(event.standing().begin(), event.standing().end());
         return outcome;
@@ -35,8 +35,8 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         }
         if (attempt > 1 || !has_free_part_of(world)) take_part(world, false, free_);
         free_stamps_.reset();
-        const EventOutcome outcome =
-            event.tick(free_.world, free_.contacts, free_.touched, keep_going);
+        const EventOutcome outcome = event.tick(free_.world, free_.contacts, free_.touched,
+                                                keep_going, is_repeated || attempt > 1);
         if (outcome == EventOutcome::cancelled) return outcome;
         take_part(world, true, dense_);
         contact.tick(dense_.world, substeps_for(dense_.world), dense_.contacts, dense_.touched);

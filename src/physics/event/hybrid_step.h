@@ -44,7 +44,7 @@ class HybridStep {
     /// Parameters: see EventEngine::tick. A cancelled tick leaves the world as it was.
     EventOutcome tick(World& world, EventEngine<double>& event, ContactSolver& contact,
                       std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
-                      const std::function<bool()>& keep_going);
+                      const std::function<bool()>& keep_going, bool is_repeated = false);
 
     /// ContactSolver::pressing of the last tick.
     std::span<const Contact> pressing() const { return pressing_; }

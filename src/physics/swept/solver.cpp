@@ -7,12 +7,14 @@
 namespace carom {
 
 void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contacts,
-                       std::vector<std::uint8_t>& touched, CancellationToken& token) {
+                       std::vector<std::uint8_t>& touched, CancellationToken& token,
+                       bool is_repeated) {
     const SweptDivision division = divide_tick(world, substeps_needed(world, substeps));
     const int count = division.substeps + (division.rest > 0.0 ? 1 : 0);
     const double start = world.time();
     step_ = swept_substep(world, division.duration);
     paths_.begin_tick(world);
+    budget_.begin(world.balls().size(), swept_tolerance::budget, is_repeated);
     for (int i = 0; i < count; ++i) {
         const bool is_rest = i == division.substeps;
         if (is_rest) step_ = swept_substep(world, division.rest);
@@ -25,7 +27,7 @@ void SweptSolver::tick(World& world, int substeps, std::vector<Contact>& contact
         if (is_rest) paths_.stop_far_balls(world);
         kinematics_.begin(world, share_of_displacement / step_.duration);
         if (!token.may_continue(world.balls().size())) return;
-        budget_.begin(world.balls().size(), swept_tolerance::budget, count);
+        budget_.begin_part(static_cast<std::uint64_t>(count));
         resolve_impacts(world, contacts, touched, token);
         if (token.is_cancelled()) return;
         paths_.finish(world);

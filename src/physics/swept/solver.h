@@ -31,9 +31,10 @@ class SweptSolver {
 
     /// Moves everything by one tick, appends the exchanges to `contacts`, and sets `touched` for
     /// each ball that meets something. `token` is asked between two impacts; once it is cancelled,
-    /// the world stays somewhere within the tick. Pre: `substeps` >= 1.
+    /// the world stays somewhere within the tick. `is_repeated`: TickWork. Pre: `substeps` >= 1.
     void tick(World& world, int substeps, std::vector<Contact>& contacts,
-              std::vector<std::uint8_t>& touched, CancellationToken& token);
+              std::vector<std::uint8_t>& touched, CancellationToken& token,
+              bool is_repeated = false);
 
     /// The cells in which the last tick looked for pairs.
     const CellFrame& cells() const { return candidates_.frame(); }

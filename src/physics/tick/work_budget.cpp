@@ -5,7 +5,7 @@ namespace carom {
 bool WorkBudget::charge(std::uint32_t ball, std::uint64_t work) {
     if (charged_.empty()) charged_.assign(balls_, 0);
     charged_[ball] += work;
-    return charged_[ball] > limit_ / balls_;
+    return charged_[ball] > share_;
 }
 
 }  // namespace carom

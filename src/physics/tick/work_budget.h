@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,8 +21,12 @@ namespace carom {
 /// - When a ball has used its share, *time stands still* for it: until the tick ends it stays where
 ///   it is, an obstacle to all others, and keeps its velocity. In the next tick it continues.
 ///
-/// So a tick takes at most twice its budget, the balls that cost the most stop first, and the limit
-/// changes no velocity and no energy.
+/// - A tick that hands or movers repeat (hands.h, mover_step.h) has one budget for all its trials:
+///   each gets what the trials before it have left. Once nothing is left, each further trial shares
+///   out half as much as the one before.
+///
+/// So a tick takes at most twice its budget, with hands or movers three times, the balls that cost
+/// the most stop first, and the limit changes no velocity and no energy.
 class WorkBudget {
   public:
     /// What a solver may do in a tick.
@@ -30,19 +35,30 @@ class WorkBudget {
         std::size_t least_balls = 1000;
     };
 
-    /// A tick, or one of `parts` equal parts of a tick, begins.
-    void begin(std::size_t balls, const Allowance& allowance, int parts = 1) {
+    /// A tick begins, or is repeated.
+    void begin(std::size_t balls, const Allowance& allowance, bool is_repeated) {
         balls_ = balls;
-        limit_ = allowance.per_ball *
-                 (balls < allowance.least_balls ? allowance.least_balls : balls) /
-                 static_cast<std::uint64_t>(parts);
+        if (!is_repeated) {
+            left_ = shared_ = allowance.per_ball * std::max(balls, allowance.least_balls);
+        } else {
+            left_ -= std::min(left_, spent_);
+            if (left_ == 0) shared_ /= 2;
+        }
         spent_ = 0;
+        begin_part(1);
+    }
+    /// One of `parts` equal parts of the tick begins.
+    void begin_part(std::uint64_t parts) {
+        limit_ = left_ / parts;
+        share_ = balls_ > 0 ? shared_ / parts / balls_ : 0;
+        spent_in_part_ = 0;
         charged_.clear();
     }
     /// Adds work that has been done. Returns whether the budget is used up.
     bool spend(std::uint64_t work) {
         spent_ += work;
-        return spent_ > limit_;
+        spent_in_part_ += work;
+        return spent_in_part_ > limit_;
     }
     /// Charges the work of an event to a ball. Returns whether the ball has used its share, so that
     /// time must stand still for it. Pre: the budget is used up.
@@ -50,8 +66,12 @@ class WorkBudget {
 
   private:
     std::size_t balls_ = 0;
-    std::uint64_t limit_ = 0;
-    std::uint64_t spent_ = 0;
+    std::uint64_t left_ = 0;    // of the budget, for this trial of the tick
+    std::uint64_t shared_ = 0;  // among the balls, beyond that
+    std::uint64_t spent_ = 0;   // in this trial
+    std::uint64_t limit_ = 0;   // of this part
+    std::uint64_t share_ = 0;   // of each ball in this part
+    std::uint64_t spent_in_part_ = 0;
     std::vector<std::uint64_t> charged_;  // by ball, once the budget is used up
 };
 

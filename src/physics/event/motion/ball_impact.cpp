@@ -47,7 +47,7 @@ std::optional<Real> ball_time_of_impact(const Trajectory<Real>& a, const Traject
         limits.sink_speed = rounding_of_approach(speeds, small, field.pressing);
     }
     return first_time_of_impact<Real>(separation_at, begin, last, bound,
-                                      weighed(weighed(limits, a), b), search);
+                                      weighed(weighed(limits, a, field), b, field), search);
 }
 
 #define CAROM_FOR(Real)                                                                     \

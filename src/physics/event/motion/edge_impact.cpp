@@ -67,7 +67,7 @@ std::optional<Real> point_time_of_impact(const Trajectory<Real>& trajectory,
                 separation_of(state.position - point, state.velocity, acceleration, reach),
                 acceleration, trajectory.motion == Motion::turning, field.has_drag);
         },
-        trajectory.time, last, bound, weighed(limits, trajectory), search);
+        trajectory.time, last, bound, weighed(limits, trajectory, field), search);
 }
 
 // Time of impact with the side of an edge to which `normal` points. It counts where the foot of the
@@ -127,7 +127,7 @@ std::optional<Real> side_time_of_impact(const Trajectory<Real>& trajectory, cons
                 now.acceleration_bound = normal_acceleration < zero ? -normal_acceleration : zero;
                 return now;
             },
-            trajectory.time, last, bound, weighed(limits, trajectory), search);
+            trajectory.time, last, bound, weighed(limits, trajectory, field), search);
     }
     if (!found || !(*found <= end) || !is_beside(*found)) return std::nullopt;
     return found;
@@ -172,8 +172,8 @@ std::optional<Real> inside_time_of_impact(const Trajectory<Real>& trajectory,
             return lasting_bound(now, acceleration, trajectory.motion == Motion::turning,
                                  field.has_drag);
         },
-        trajectory.time, end_of_search(trajectory, field, end), bound, weighed(limits, trajectory),
-        search);
+        trajectory.time, end_of_search(trajectory, field, end), bound,
+        weighed(limits, trajectory, field), search);
 }
 
 // Whether the ball slides past at that time: beside the edge, without approaching its side.

@@ -57,7 +57,7 @@ std::optional<Real> hinged_edge_time_of_impact(const Trajectory<Real>& trajector
     limits.rest_height =
         Real(2.0 * (field.pressing > Real{} ? moving_rest_height : rest_height)) * radius;
     return first_time_of_impact<Real>(separation_at, begin, last, bound,
-                                      weighed(limits, trajectory), search);
+                                      weighed(limits, trajectory, field), search);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ std::optional<Real> moving_edge_time_of_impact(const Trajectory<Real>& trajector
     auto limits = tolerance(now.position, radius, speed, pressing, radius, field.pressing,
                             is_on_cloth(trajectory) ? moving_rest_height : rest_height);
     return first_time_of_impact<Real>(separation_at, begin, last, bound,
-                                      weighed(limits, trajectory), search);
+                                      weighed(limits, trajectory, field), search);
 }
 
 #define CAROM_FOR(Real)                                                                    \

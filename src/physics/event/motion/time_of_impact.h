@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "geometry/conservative_advancement.h"
 #include "physics/event/motion/tolerances.h"
 #include "physics/event/motion/trajectory.h"
@@ -58,11 +60,15 @@ ToiTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach, co
     return {rounding_at(position, reach), greater(rounding, rest_speed)};
 }
 
-/// These tolerances for a search along this trajectory. An iteration about a turning ball counts as
-/// more work, since its position is a series.
+/// These tolerances for a search along this trajectory. An iteration about a ball that turns, or
+/// that drag slows, counts as more work, since its position is a series or an exponential.
 template <typename Real>
-ToiTolerance<Real> weighed(ToiTolerance<Real> limits, const Trajectory<Real>& trajectory) {
-    if (trajectory.motion == Motion::turning) limits.weight = turning_iteration;
+ToiTolerance<Real> weighed(ToiTolerance<Real> limits, const Trajectory<Real>& trajectory,
+                           const Field<Real>& field) {
+    if (trajectory.motion == Motion::turning)
+        limits.weight = turning_iteration;
+    else if (!is_parabola(trajectory, field))
+        limits.weight = std::max(limits.weight, drag_iteration);
     return limits;
 }
 

@@ -182,8 +182,9 @@ inline constexpr double most_correction_into_ball = 1e-4;
 /// `iterations_per_unit` iterations of a search count as one event. Changes the result.
 inline constexpr WorkBudget::Allowance event_budget{.per_ball = 1'000};
 inline constexpr std::uint64_t iterations_per_unit = 32;
-/// An iteration about a ball that turns takes as long as so many others.
+/// An iteration about a ball that turns, or that drag slows, takes as long as so many others.
 inline constexpr std::uint64_t turning_iteration = 10;
+inline constexpr std::uint64_t drag_iteration = 5;
 
 /// How far a ball may go in the rounding of time, as a share of its radius: that is how wrong the
 /// place of an impact gets. Time stands still for faster balls (engine.cpp). x10: they overlap as

@@ -19,10 +19,16 @@ namespace carom {
 template <typename Real>
 class WorkMeter {
   public:
-    /// A tick begins. `keep_going`, which must outlive it, may be empty.
-    void begin(const std::function<bool()>& keep_going, std::size_t balls) {
+    /// The next tick is not a repetition, whatever `begin` is told.
+    void forget_trials() { has_begun_ = false; }
+    /// A tick begins, or is repeated (WorkBudget::begin). `keep_going`, which must outlive it, may
+    /// be empty.
+    void begin(const std::function<bool()>& keep_going, std::size_t balls,
+               bool is_repeated = false) {
         keep_going_ = &keep_going;
-        budget_.begin(balls, event_budget);
+        if (!is_over_budget_) budget_.spend(work() - polled_);
+        budget_.begin(balls, event_budget, is_repeated && has_begun_);
+        has_begun_ = true;
         events_ = rounds_ = 0;
         search_.iterations = 0;
         polled_ = 0;
@@ -77,6 +83,7 @@ class WorkMeter {
     std::uint64_t charged_ = 0;  ///< work when some was charged last
     bool is_cancelled_ = false;
     bool is_over_budget_ = false;
+    bool has_begun_ = false;  ///< in a trial of this tick
 };
 
 }  // namespace carom

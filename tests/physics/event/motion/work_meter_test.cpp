@@ -34,6 +34,27 @@ TEST_CASE(
     CHECK(work.may_go_on());
 }
 
+TEST_CASE("event work meter: a repeated tick has what is left of the budget") {
+    WorkMeter<double> meter;
+    const std::function<bool()> never_asked;
+    const std::uint64_t budget = event_budget.per_ball * event_budget.least_balls;
+    const auto is_over_after = [&](std::uint64_t rounds) {
+        meter.count_rounds(rounds);
+        CHECK(meter.may_go_on());
+        return meter.is_over_budget();
+    };
+    meter.begin(never_asked, 1, true);
+    CHECK(!is_over_after(budget / 2));
+    meter.begin(never_asked, 1, true);
+    CHECK(is_over_after(budget / 2 + 1));
+    meter.begin(never_asked, 1);
+    CHECK(!is_over_after(budget / 2));
+    // What an earlier tick has used does not count.
+    meter.forget_trials();
+    meter.begin(never_asked, 1, true);
+    CHECK(!is_over_after(budget / 2 + 1));
+}
+
 TEST_CASE("event work meter: over the budget, each ball has a share") {
     WorkMeter<double> meter;
     const std::function<bool()> never_asked;
