@@ -38,15 +38,15 @@ std::vector<std::string> player_lines(const Session& session) {
     return lines;
 }
 
-/// The score to beat: the next place in the table of high scores; or the award of an extra ball.
+/// What the score reaches next: a place in the table of high scores, or the award of an extra ball.
 std::string target_line(const Session& session, const PinballScores& scores) {
     const auto& state = std::get<PinballState>(session.game());
-    const std::int64_t replay = session.scene().table.replay;
-    if (replay > 0 && !state.has_replay && state.score < replay)
-        return fmt::format("extra ball at {}", grouped(replay));
     const HighScore* next = nullptr;
     for (const HighScore& score : scores.scores().lines)
         if (score.score >= state.score) next = &score;
+    const std::int64_t replay = session.scene().table.replay;
+    if (!state.has_replay && state.score < replay && (!next || replay <= next->score))
+        return fmt::format("extra ball at {}", grouped(replay));
     if (next) return fmt::format("to beat: {} by {}", grouped(next->score), next->initials);
     return scores.scores().lines.empty() ? "" : "the best score so far";
 }

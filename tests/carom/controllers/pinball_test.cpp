@@ -276,6 +276,20 @@ TEST_CASE("a game after a restart asks for initials, like the one before it") {
     }
 }
 
+TEST_CASE("the panel says what the score reaches next") {
+    std::string text = short_game;
+    text.replace(text.find("save=0s"), 7, "save=0s replay=500000");
+    const Session session = session_of(text.c_str());
+    const auto target = [&](std::vector<HighScore> lines) {
+        PinballScores scores;
+        scores.set({.lines = std::move(lines), .most = 3});
+        return score_panel(session, scores, false).lines[2];
+    };
+    CHECK(target({}) == "extra ball at 500,000");
+    CHECK(target({{"TOP", 600000}}) == "extra ball at 500,000");
+    CHECK(target({{"TOP", 600000}, {"OLD", 900}}) == "to beat: 900 by OLD");
+}
+
 TEST_CASE("the panel lists lights that go out, and no gate or post") {
     std::string text = short_game;
     text += "post bolt 100,300 140,300 r=2\non ball launch open bolt 3s, light lane 3s\n";
