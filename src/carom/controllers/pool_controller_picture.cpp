@@ -73,6 +73,11 @@ void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
     const auto left = players_.time_left(play.session);
     add_pool_title(play.session, players_.names(), left, info);
     info.game = line(play);
+    const PoolPlay* const pool = pool_of(play.session);
+    if (pool && !players_.is_opponents_turn(play.session))
+        for (const PoolChoice choice : pool->rules.choices)
+            info.choices.push_back(
+                {fmt::format("{}", info.choices.size() + 1), std::string(choice_text(choice))});
     // The last seconds for the shot, or for the choice.
     if (!left || *left > last_seconds || players_.is_opponents_turn(play.session)) return;
     info.message = fmt::format("{} left", clock_text(*left));
@@ -97,13 +102,6 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
         if (!keys.empty()) hints.push_back({keys, std::string(what)});
     };
     const PoolPlay* const pool = pool_of(play.session);
-    if (pool && pool->rules.phase == PoolPhase::choosing &&
-        !players_.is_opponents_turn(play.session)) {
-        int key = 0;
-        for (const PoolChoice choice : pool->rules.choices)
-            hints.push_back({fmt::format("{}", ++key), std::string(choice_text(choice))});
-        return;
-    }
     if (pool && pool->rules.phase == PoolPhase::over)
         hint("grab", match_winner(*pool) ? "the next match" : "the next frame");
     const bool is_over = pool && pool->rules.phase == PoolPhase::over;

@@ -114,13 +114,13 @@ std::string_view choice_text(PoolChoice choice) {
         case PoolChoice::break_again:
             return "rack again and break";
         case PoolChoice::let_break:
-            return "rack again, the other breaks";
+            return "rack, the other breaks";
         case PoolChoice::spot_eight:
             return "spot the 8 and continue";
         case PoolChoice::return_push:
             return "the other must shoot";
         case PoolChoice::replace:
-            return "put the balls back, the other must shoot";
+            return "put the balls back";
     }
     return "";
 }

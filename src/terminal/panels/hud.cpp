@@ -97,24 +97,42 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<HudField> field
     bar.write(column, fields);
 }
 
+int width_of_hint(const KeyHelp& hint) {
+    return columns_of(hint.keys) + 1 + columns_of(hint.what);
+}
+
+// The text that takes the place of the hints in a short window, which has no other line for it.
+std::string instead_of_hints(const Canvas& canvas, const HudInfo& info) {
+    if (hud_rows(canvas.columns(), canvas.rows()) != 2) return "";
+    return info.beside.empty() ? info.game : info.beside;
+}
+
+bool has_line_for_choices(const Canvas& canvas, const HudInfo& info) {
+    int width = 0;
+    for (const KeyHelp& choice : info.choices)
+        width += width_of_hint(choice) + hud_field_gap;
+    for (const KeyHelp& hint : info.hints)
+        if (hint.stays) width += width_of_hint(hint) + hud_field_gap;
+    return hud_rows(canvas.columns(), canvas.rows()) >= 2 &&
+           instead_of_hints(canvas, info).empty() && width - hud_field_gap <= canvas.columns() - 2;
+}
+
 void draw_hints(const Bar& bar, const HudInfo& info) {
     bar.clear();
-    // A short window has no other line for this.
-    const std::string& other = info.beside.empty() ? info.game : info.beside;
-    if (hud_rows(bar.canvas.columns(), bar.canvas.rows()) == 2 && !other.empty()) {
+    if (const std::string other = instead_of_hints(bar.canvas, info); !other.empty()) {
         bar.write(1, fitting_parts(other, bar.canvas.columns() - 2, bar.look),
                   ink_of(Role::warning, bar.look));
         return;
     }
-    const auto width_of_hint = [](const KeyHelp& hint) {
-        return columns_of(hint.keys) + 1 + columns_of(hint.what);
-    };
+    std::vector<KeyHelp> hints;
+    if (has_line_for_choices(bar.canvas, info)) hints = info.choices;
+    hints.insert(hints.end(), info.hints.begin(), info.hints.end());
     int reserved = 0;
-    for (const KeyHelp& hint : info.hints)
+    for (const KeyHelp& hint : hints)
         if (hint.stays) reserved += width_of_hint(hint) + hud_field_gap;
     int column = 1;
     bool is_full = false;
-    for (const KeyHelp& hint : info.hints) {
+    for (const KeyHelp& hint : hints) {
         const int width = width_of_hint(hint);
         if (hint.stays) reserved -= width + hud_field_gap;
         const int needed = hint.stays ? width : width + reserved;
@@ -146,15 +164,33 @@ bool shows_message_in_line(const HudInfo& info, int columns, int rows) {
            info.message.find('\n') == std::string::npos && columns_of(info.message) <= columns - 2;
 }
 
-// Over the last rows of the world, at most half of them, and as wide as the text is.
-void draw_message(Canvas& canvas, int below, const HudInfo& info, const Look& look) {
-    if (info.message.empty() || below <= 0) return;
-    std::vector<std::string> lines = message_lines(info.message, canvas.columns() - 2);
+// The lines of the message, at most half of the rows of the world; then the choices that have no
+// other line.
+std::vector<std::string> lines_over_world(const Canvas& canvas, int below, const HudInfo& info) {
+    const int columns = canvas.columns() - 2;
+    std::vector<std::string> lines;
+    if (!info.message.empty() &&
+        !shows_message_in_line(info, canvas.columns(), hud_rows(canvas.columns(), canvas.rows())))
+        lines = message_lines(info.message, columns);
     const auto room = static_cast<std::size_t>((below + 1) / 2);
     if (lines.size() > room) {
         lines.resize(room);
         if (!info.message_more.empty()) lines.back() = info.message_more;
     }
+    if (has_line_for_choices(canvas, info)) return lines;
+    for (const KeyHelp& choice : info.choices)
+        for (std::string& line : wrapped(choice.keys + " " + choice.what, columns))
+            lines.push_back(std::move(line));
+    if (lines.size() > static_cast<std::size_t>(below))
+        lines.erase(lines.begin(), lines.end() - below);
+    return lines;
+}
+
+// Over the last rows of the world, and as wide as the text is.
+void draw_over_world(Canvas& canvas, int below, const HudInfo& info, const Look& look) {
+    if (below <= 0) return;
+    const std::vector<std::string> lines = lines_over_world(canvas, below, info);
+    if (lines.empty()) return;
     int width = 0;
     for (const std::string& line : lines)
         width = std::max(width, columns_of(line));
@@ -181,7 +217,7 @@ void draw_hud(Canvas& canvas, const HudInfo& info, const Look& look) {
     const Bar top = title_bar(canvas, first, look);
     std::vector<HudField> play = play_fields(info, look);
     const bool is_in_line = shows_message_in_line(info, canvas.columns(), count);
-    if (!is_in_line) draw_message(canvas, first, info, look);
+    draw_over_world(canvas, first, info, look);
     if (count == 0) return;
     draw_first(top, info, std::move(play));
     if (count == 1) return;

@@ -71,7 +71,10 @@ struct HudInfo {
     /// A message that fits is shown in the line of the game instead, where there is one: it must
     /// not hide what moves in the world.
     bool message_in_line = false;
-    std::string message_more;    ///< where to read all of a message that has too many lines
+    std::string message_more;  ///< where to read all of a message that has too many lines
+    /// The player must make one of these: they come before the hints or, where the last line has
+    /// no room for all of them, over the world.
+    std::vector<KeyHelp> choices;
     std::vector<KeyHelp> hints;  ///< the most useful first
 };
 

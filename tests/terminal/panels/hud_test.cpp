@@ -208,6 +208,28 @@ TEST_CASE("found 4: a message lies over the world, and never over the hints") {
     CHECK(small.text().find("\n saved\n galton-2.level\n Galton b") != std::string::npos);
 }
 
+TEST_CASE("every choice that a player must make is shown, in a window of any size") {
+    HudInfo info = galton();
+    info.is_game = true;
+    info.game = "Foul, 6: the wrong ball was hit first. Player 2 chooses.";
+    info.hints.push_back({"?", "keys", true});
+    info.choices = {{"1", "shoot from here"}, {"2", "let him"}, {"3", "put the balls back"}};
+    for (const auto& [columns, rows] :
+         {std::pair{20, 8}, {24, 10}, {40, 16}, {60, 14}, {60, 24}, {80, 14}, {80, 24}}) {
+        CAPTURE(columns);
+        CAPTURE(rows);
+        Canvas canvas(columns, rows);
+        draw_hud(canvas, info, plain_look);
+        const std::string text = canvas.text();
+        CHECK(text.find("1 shoot") != std::string::npos);
+        CHECK(text.find("2 let him") != std::string::npos);
+        CHECK(text.find("3 put the") != std::string::npos);
+    }
+    Canvas usual(80, 24);
+    draw_hud(usual, info, plain_look);
+    CHECK(usual.text().find("\n 1 shoot from here  2 let him  3 put") != std::string::npos);
+}
+
 TEST_CASE("a message at a game of pinball takes the line of the game, and covers no ball") {
     HudInfo info = galton();
     info.is_game = true;
