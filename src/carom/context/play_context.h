@@ -53,9 +53,10 @@ struct CoveringPage {
     enum class Kind : std::uint8_t { none, help, about, record, explanation, problems };
     Kind kind = Kind::none;
     int scroll = 0;
+    int most = 0;  ///< as far as it scrolls; 0: all of it is visible
 
     bool is_open() const { return kind != Kind::none; }
-    void open(Kind which) { *this = {which, 0}; }
+    void open(Kind which) { *this = {.kind = which}; }
 };
 
 /// The known abilities of the terminal, and its bell.

@@ -69,10 +69,11 @@ PlayRequest Player::perform(const Action& action) {
     return std::exchange(play_.request, PlayRequest::none);
 }
 
-// The key of another page opens that page; any other key that does not scroll closes this one.
+// The key of another page opens that page; any other key that does not scroll closes this one. A
+// page that is visible as a whole does not scroll.
 void Player::turn_page(const InputEvent& event, const Action* action) {
     play_.needs_draw = true;
-    if (const auto rows = scroll_of(event)) {
+    if (const auto rows = scroll_of(event); rows && play_.page.most > 0) {
         play_.page.scroll += *rows;
         return;
     }

@@ -178,6 +178,7 @@ void Player::draw_page(Canvas& canvas) {
             break;
     }
     page.scroll = extent.scroll;
+    page.most = extent.most;
 }
 
 void Player::draw_game(Canvas& canvas, double aspect) {

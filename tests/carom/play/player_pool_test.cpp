@@ -742,6 +742,20 @@ TEST_CASE("issue 20: no key takes the cue away while the balls roll") {
     }
 }
 
+// Space scrolled even where nothing scrolls, and the next key only closed the page.
+TEST_CASE("a page that is visible as a whole is closed by every key") {
+    for (const char32_t page : {U'?', U'T', key::f1})
+        for (const char32_t key : {key::space, key::down, U'j', U'x'}) {
+            CAPTURE(page);
+            CAPTURE(key);
+            Person person("eight-ball");
+            person.key(page);
+            REQUIRE_FALSE(person.sees("player 1 breaks"));
+            person.key(key);
+            CHECK(person.sees("player 1 breaks"));
+        }
+}
+
 TEST_CASE("d calls nothing while the balls roll or the opponent plays") {
     Person person("straight-pool");
     person.key(key::enter);
