@@ -161,8 +161,12 @@ constexpr Action rows[] = {
     {"outlines", "6", "balls as outlines", anywhere, toggle_outlines},
     {"histogram", "h", "the histogram, or the speeds", anywhere, toggle_histogram},
     {"energy", "y", "energy, momentum, drift over time", anywhere, toggle_energy},
-    {"zoom-in", "z", "zoom in", anywhere, [](Play& play) { zoom(play, zoom_factor); }},
-    {"zoom-out", "Z", "zoom out", anywhere, [](Play& play) { zoom(play, 0.8); }},
+    {"zoom-in", "z", "zoom in", anywhere, [](Play& play) { zoom(play, zoom_factor); },
+     [](Pool& table, Play& play) { return pool_actions::zoom_on_aim(table, play, zoom_factor); }},
+    {"zoom-out", "Z", "zoom out", anywhere, [](Play& play) { zoom(play, 1.0 / zoom_factor); },
+     [](Pool& table, Play& play) {
+         return pool_actions::zoom_on_aim(table, play, 1.0 / zoom_factor);
+     }},
     {"pan-left", "shift-left H", "pan left", anywhere,
      [](Play& play) { pan(play, -pan_columns, 0.0); },
      [](Pool& table, Play& play) { return pool_actions::move_tip(table, play, -1, 0); }},

@@ -4,6 +4,7 @@
 
 #include "carom/controllers/editing.h"
 #include "game/ai/opponents.h"
+#include "game/commands/aiming.h"
 
 namespace carom::pool_actions {
 namespace {
@@ -43,6 +44,21 @@ bool move_tip(PoolController& table, const PlayContext& play, int side, int foll
     if (!table.is_aiming(play)) return has_turns(play.session) && keeps_cue(play);
     if (play.pointer.shows_cursor) return false;
     table.aim().move_tip(side * tip_step, follow * tip_step);
+    return true;
+}
+
+bool zoom_on_aim(PoolController& table, PlayContext& play, double factor) {
+    if (!table.is_aiming(play)) return false;
+    const command::Strike strike = table.aim().strike(play.session);
+    const auto line = aim_line(play.session.world(), strike.ball, strike.velocity);
+    if (!line || !line->object) return false;
+    const CellPoint place = to_cells(play.view.camera, line->to);
+    // After a turn of the aim it may lie outside.
+    if (!contains(visible_box(play.view.camera), line->to)) {
+        const CellPoint middle = play.view.middle();
+        play.view.pan(place.column - middle.column, place.row - middle.row);
+    }
+    play.view.zoom(to_cells(play.view.camera, line->to), factor);
     return true;
 }
 

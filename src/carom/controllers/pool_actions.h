@@ -9,6 +9,8 @@ namespace carom::pool_actions {
 bool turn_coarsely(PoolController& table, PlayContext& play, int direction);
 void turn_finely(PoolController& table, PlayContext& play, int direction);
 bool change_speed(PoolController& table, PlayContext& play, int direction);
+/// Zooms on the place where the aim meets a ball. False: nothing is aimed.
+bool zoom_on_aim(PoolController& table, PlayContext& play, double factor);
 bool move_tip(PoolController& table, const PlayContext& play, int side, int follow);
 bool shoot(PoolController& table, PlayContext& play);
 bool give_up_stroke(PoolController& table, PlayContext& play);

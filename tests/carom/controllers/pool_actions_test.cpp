@@ -1,0 +1,76 @@
+#include "carom/controllers/pool_actions.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <variant>
+
+#include "carom/support/person.h"
+#include "game/support/shipped.h"
+
+using namespace carom;
+using carom::test::always;
+
+namespace {
+
+struct Person : test::PersonAtWindow {
+    explicit Person(const std::string& level, int columns = 120, int rows = 36)
+        : PersonAtWindow(session_of(level), columns, rows) {}
+
+    static Session session_of(const std::string& level) {
+        Scene scene = test::shipped_level(level);
+        const SolverSettings solver = pick_solver(scene.world).settings;
+        return Session(std::move(scene), solver);
+    }
+    void key(char32_t code, std::uint8_t modifiers = no_modifier) {
+        PersonAtWindow::key(code, modifiers);
+        look();
+    }
+    void wait() {
+        for (int i = 0; i < 60 * 60 && play().is_shooting; ++i)
+            player.advance(1.0 / 60.0, always);
+        REQUIRE_FALSE(play().is_shooting);
+        look();
+    }
+    /// A match against carom that has begun, and in which it is the person's turn. Pre: the level
+    /// is a game of pool.
+    void begin_match() {
+        REQUIRE(player.pool_players()->set_opponent(player.session(), 1));
+        for (int shot = 0; shot < 20; ++shot) {
+            key(key::enter);
+            pass(0.3);
+            key(key::enter);
+            pass(0.1);
+            wait();
+            for (int i = 0; i < 1000 && play().rules.player == 1; ++i)
+                pass(0.1);
+            if (play().rules.player == 0 && play().rules.phase == PoolPhase::playing) return;
+        }
+        FAIL("no turn");
+    }
+    const PoolPlay& play() const { return std::get<PoolPlay>(player.session().game()); }
+    Vec2 place_of(std::size_t ball) const {
+        return world().balls().position[*index_of(world(), *play().balls[ball])];
+    }
+    std::size_t commands() const { return player.session().commands().size(); }
+};
+
+}  // namespace
+
+TEST_CASE("z zooms on the place where the aim meets a ball") {
+    Person person("eight-ball");
+    const auto ghost = [&] {
+        const Vec2 cue = person.place_of(0);
+        const Vec2 apex = person.player.session().scene().pool.racks[0].foot;
+        return to_cells(person.player.camera(),
+                        apex - (apex - cue) * (0.05715 / length(apex - cue)));
+    };
+    const CellPoint before = ghost();
+    const double scale = person.player.camera().columns_per_length;
+    for (int i = 0; i < 5; ++i)
+        person.key(U'z');
+    CHECK(person.player.camera().columns_per_length > 2.0 * scale);
+    CHECK(ghost().column == doctest::Approx(before.column).epsilon(0.01));
+    CHECK(ghost().row == doctest::Approx(before.row).epsilon(0.01));
+}
+
