@@ -10,7 +10,7 @@
 #include "carom/pool/pool_players.h"
 
 /// Pool: aiming by keys and mouse, ball in hand, choices, the AI player, and the referee's rulings.
-/// It works at any table with a cue; without a game, balls can be dragged freely.
+/// It works at any table with a cue; without a game, every ball at rest can be placed, and shot.
 namespace carom {
 
 class PoolController : public FreeController {

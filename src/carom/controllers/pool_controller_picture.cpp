@@ -16,7 +16,7 @@ void PoolController::annotate(const PlayContext& play, Annotations& annotations)
     annotations.pool = aim_.annotations(play.session, is_striking(play));
     if (const CandidateShot* const shot = players_.opponent_shot(play.session))
         show_shot(play.session, *shot, *annotations.pool);
-    if (!play.pointer.tool.has_cue()) return Controller::annotate(play, annotations);
+    if (!is_pulling(play)) return Controller::annotate(play, annotations);
     const MouseStroke* const push = stroke_.push();
     if (!push || !annotations.pool || !annotations.pool->stick) return;
     PoolAnnotations::Line& stick = *annotations.pool->stick;
@@ -120,6 +120,8 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
     if (pool && is_new && !in_match) hint("opponent", "opponent");
     if (aim_.may_choose(play.session)) hint("next-ball", "next of your balls");
+    if (!play.terminal.mouse_is_off && !has_turns(play.session))
+        hints.push_back({"drag", "place a ball"});
     hints.push_back({"arrows", "aim, power"});
     const bool has_pockets = !play.session.scene().pool.pockets.empty();
     hint("next-pot", in_match || !has_pockets ? "next ball" : "next pot");

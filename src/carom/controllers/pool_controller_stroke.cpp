@@ -130,8 +130,16 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     const auto cue = aim_.cue_ball(play.session);
     const auto at_pointer = ball_at_pointer(play);
     const bool is_left = event.button == left_button && !(event.modifiers & (shift | control));
-    if (is_left && at_pointer && !has_game) return false;
     Pointer& pointer = play.pointer;
+    if (at_pointer && !has_game && is_left) {
+        if (!is_aiming(play)) return false;
+        // Lifted over the others, so that a shot can be set up.
+        pointer.tool.grab_to_place(play.session.world(), *at_pointer, pointer.at);
+        pointer.pressed = event.button;
+        return true;
+    }
+    // Without a game any ball is shot.
+    if (at_pointer && !has_game && at_pointer != cue) return false;
     if (is_left && at_pointer && is_aiming(play) && at_pointer != cue &&
         aim_.choose(play.session, *at_pointer)) {
         play.needs_draw = true;
@@ -174,6 +182,7 @@ bool PoolController::take_release(PlayContext& play) {
     const double length_pulled = pull_ ? pulled(play) : 0.0;
     const auto pull = std::exchange(pull_, std::nullopt);
     if (!play.pointer.tool.has_cue()) return stroke_.push() != nullptr;
+    if (!pull && !has_turns(play.session)) return false;
     play.pointer.tool.forget();
     if (players_.is_match(play.session)) {
         stroke_.end();

@@ -86,7 +86,7 @@ bool PoolAim::may_aim(const Session& session) const {
 bool PoolAim::may_place(const Session& session) const {
     if (const ShotsState* shots = shots_of(session)) return shots->is_in_hand && may_aim(session);
     const PoolPlay* game = play(session);
-    return game && may_aim(session) && game->rules.in_hand != CueInHand::no;
+    return may_aim(session) && (!game || game->rules.in_hand != CueInHand::no);
 }
 
 const Cue& cue_in_turn(const Session& session) {

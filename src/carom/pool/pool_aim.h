@@ -35,7 +35,7 @@ class PoolAim {
     void choose_next(const Session& session, bool backwards);
     /// Whether the balls are at rest and no choice is due.
     bool may_aim(const Session& session) const;
-    /// Whether the cue ball is in hand and may be placed.
+    /// Whether the cue ball is in hand, or there is no game, and it may be placed.
     bool may_place(const Session& session) const;
 
     /// In a match only the ghost ball is drawn, and nothing that a forecast knows is shown.

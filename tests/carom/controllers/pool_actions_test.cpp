@@ -74,3 +74,20 @@ TEST_CASE("z zooms on the place where the aim meets a ball") {
     CHECK(ghost().row == doctest::Approx(before.row).epsilon(0.01));
 }
 
+TEST_CASE("on a table without rules a ball is put over the others, and any ball is shot") {
+    Person person("pool-table");
+    const auto place_of = [&](std::size_t ball) { return person.world().balls().position[ball]; };
+    const std::size_t last = person.world().balls().size() - 1;
+    const Vec2 from = place_of(last);
+    const Vec2 other = place_of(last - 5);
+    const Vec2 to{-0.3, 0.2};
+    person.drag(from, to);
+    person.pass(1.0);
+    CHECK(distance(place_of(last), to) < 0.03);
+    CHECK(place_of(last - 5) == other);
+    const Vec2 cue = place_of(0);
+    person.drag(place_of(last), place_of(last) + Vec2{0.2, 0.1}, right_button);
+    person.pass(0.2);
+    CHECK(person.world().balls().velocity[last].x < 0.0);
+    CHECK(place_of(0) == cue);
+}
