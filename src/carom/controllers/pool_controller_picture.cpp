@@ -118,6 +118,7 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     hint("grab", in_match ? "stroke" : "shoot");
     const bool is_new = pool ? !pool->shooter : !shots || shots->shots == 0 || shots->is_over;
     if (aim_.may_place(play.session)) hint("place-cue-ball", "place the ball");
+    if (pool && pool->rules.may_push_out) hint("call", "push out");
     if (pool && is_new && !in_match) hint("opponent", "opponent");
     if (aim_.may_choose(play.session)) hint("next-ball", "next of your balls");
     if (!play.terminal.mouse_is_off && !has_turns(play.session))
