@@ -74,7 +74,8 @@ constexpr Action rows[] = {
     {"slower", "- [", "slower", anywhere, slower},
     {"faster", "+ = ]", "faster", anywhere, faster},
     {"normal-speed", "*", "normal speed", anywhere, normal_speed},
-    {"restart", "r", "restart", anywhere, restart},
+    {"restart", "r", "restart", anywhere, restart,
+     [](Pool& table, Play& play) { return pool_actions::keep_frame(table, play); }},
 
     {"cursor-left", "left", "move the cursor", anywhere,
      [](Play& play) { move_cursor(play, -cursor_columns, 0.0); },
@@ -129,7 +130,7 @@ constexpr Action rows[] = {
      [](Pool& table, Play& play) { pool_actions::next_aids(table, play); }},
     {"to-rest", "j", "skip until the balls rest", pool,
      [](Pool& table, Play& play) { pool_actions::skip_to_rest(table, play); }},
-    {"next-frame", "N", "rack the next frame", pool,
+    {"next-frame", "N", "next frame; in a match, concede", pool,
      [](Pool& table, Play& play) { pool_actions::rack_again(table, play); }},
     {"opponent", "O", "opponent: off, 1 to 4; practice", pool,
      [](Pool& table, Play& play) { pool_actions::next_opponent(table, play); }},
@@ -140,7 +141,8 @@ constexpr Action rows[] = {
     {"coach", "C", "coach: the three best shots", pool,
      [](Pool& table, Play& play) { pool_actions::ask_coach(table, play); }},
 
-    {"solver", "s", "next solver", editing, next_solver},
+    {"solver", "s", "next solver", editing, next_solver,
+     [](Pool& table, Play& play) { return pool_actions::keep_solver(table, play); }},
     {"gravity", "g", "gravity on, off", editing, toggle_gravity},
     {"turn-gravity", "G", "turn gravity", editing, turn_gravity},
     {"save", "w", "save as a level", anywhere, ask<PlayRequest::save>},

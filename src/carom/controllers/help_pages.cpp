@@ -31,7 +31,7 @@ constexpr HelpLine lines[] = {
     {at_table, "Shot", "aids", "", "aiming aid"},
     {at_pool, "Shot", "coach", "", "coach: three best shots"},
     {at_table, "Shot", "undo", "", "undo the shot"},
-    {at_pool, "Game", "next-frame", "", "rack the next frame"},
+    {at_pool, "Game", "next-frame", "", "next frame, or concede"},
     {at_cue, "Game", "next-frame", "", "a new game"},
     {at_pool, "Game", "opponent", "", "opponent: off, 1 to 4"},
     {at_pool, "Game", "hand", "", "your skill in a match"},

@@ -18,6 +18,44 @@ constexpr double cursor_step = 0.2;  // columns, with a ball in hand
 
 constexpr const char* no_game = "No game of pool is played here.";
 
+bool is_past_of_match(const PoolController& table, const PlayContext& play) {
+    return table.players().is_match(play.session) &&
+           play.session.world().tick() < play.session.latest();
+}
+
+std::string only_looked_at(const PlayContext& play) {
+    return fmt::format(
+        "In a match the past is only looked at{}.",
+        play.clock.is_paused() ? fmt::format("; {} resumes", play.keys.hint("pause")) : "");
+}
+
+// Whether the action may be carried out; if not, the player is asked.
+bool is_confirmed(PoolController& table, PlayContext& play, std::string_view action,
+                  std::string_view to_do_what) {
+    if (table.confirmation().is_given()) return true;
+    table.confirmation().ask();
+    say(play, fmt::format("Press {} again to {}.", play.keys.hint(action), to_do_what));
+    return false;
+}
+
+// Whether an unfinished frame of a match can only be ended by conceding it.
+bool is_in_frame_of_match(const PoolController& table, const PlayContext& play) {
+    const PoolPlay* const pool = pool_of(play.session);
+    return pool && table.players().is_match(play.session) && pool->shooter &&
+           pool->rules.phase != PoolPhase::over;
+}
+
+void concede(PoolController& table, PlayContext& play) {
+    if (is_past_of_match(table, play)) return say(play, only_looked_at(play));
+    if (table.players().is_opponents_turn(play.session))
+        return say(play, "You can concede when it is your turn.");
+    if (are_rolling(play)) return say(play, "You can concede when the balls are at rest.");
+    if (!is_confirmed(table, play, "next-frame", "concede the frame")) return;
+    table.stroke().end();
+    if (const auto why_not = play.session.apply(command::Concede{})) complain(play, *why_not);
+    set_reference(play);
+}
+
 }  // namespace
 
 bool turn_coarsely(PoolController& table, PlayContext& play, int direction) {
@@ -72,6 +110,8 @@ bool shoot(PoolController& table, PlayContext& play) {
         if (are_rolling(play))
             say(play, fmt::format("The balls are still rolling. {} skips to rest.",
                                   play.keys.hint("to-rest")));
+        else if (is_past_of_match(table, play))
+            say(play, only_looked_at(play));
         return true;
     }
     if (!has_turns(play.session)) return false;
@@ -151,12 +191,21 @@ void place_cue_ball(PoolController& table, PlayContext& play) {
     say(play, "Move the ball with the arrows or the mouse; enter puts it down.");
 }
 
-void rack_again(const PoolController& table, PlayContext& play) {
+void rack_again(PoolController& table, PlayContext& play) {
+    if (is_in_frame_of_match(table, play)) return concede(table, play);
     const PoolPlay* const pool = pool_of(play.session);
-    if (pool && table.players().is_match(play.session) && pool->shooter &&
-        pool->rules.phase != PoolPhase::over)
-        return say(play, "In a match a frame is played to its end.");
     obey(play, command::RackAgain{}, pool ? "The balls are racked." : "A new game.");
+}
+
+bool keep_frame(PoolController& table, PlayContext& play) {
+    return is_in_match(play.session) &&
+           !is_confirmed(table, play, "restart", "lose this frame and restart");
+}
+
+bool keep_solver(const PoolController& table, PlayContext& play) {
+    if (!table.players().is_match(play.session)) return false;
+    say(play, "In a match the solver stays.");
+    return true;
 }
 
 namespace {

@@ -26,8 +26,13 @@ void next_call(PoolController& table, PlayContext& play);
 void next_aids(PoolController& table, PlayContext& play);
 void place_cue_ball(PoolController& table, PlayContext& play);
 
-/// Racks the next frame; in a match, once this one is over.
-void rack_again(const PoolController& table, PlayContext& play);
+/// Racks the next frame; in a match that has a frame in progress, it concedes that one, once the
+/// key is pressed again.
+void rack_again(PoolController& table, PlayContext& play);
+/// Asks before a frame of pool is restarted. False: it may be.
+bool keep_frame(PoolController& table, PlayContext& play);
+/// Refuses another solver in a match. False: it is none.
+bool keep_solver(const PoolController& table, PlayContext& play);
 /// Changes the opponent; in a match, before the first break.
 void next_opponent(PoolController& table, PlayContext& play);
 void next_hand(PoolController& table, PlayContext& play);

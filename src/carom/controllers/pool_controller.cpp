@@ -19,6 +19,7 @@ bool PoolController::aims_with_keys(const PlayContext& play) const {
 }
 
 void PoolController::perform(PlayContext& play, const Action& action) {
+    confirmation_.press(action.name);
     if (action.at_pool && action.at_pool(*this, play)) return;
     using AtPool = void (*)(PoolController&, PlayContext&);
     if (const auto* perform = std::get_if<AtPool>(&action.perform)) return (*perform)(*this, play);

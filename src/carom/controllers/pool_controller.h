@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "carom/controllers/confirmation.h"
 #include "carom/controllers/free_controller.h"
 #include "carom/pool/person_stroke.h"
 #include "carom/pool/pool_aim.h"
@@ -45,6 +46,7 @@ class PoolController : public FreeController {
     PoolAim& aim() { return aim_; }
     PersonStroke& stroke() { return stroke_; }
     PoolCoach& coach() { return coach_; }
+    Confirmation& confirmation() { return confirmation_; }
     /// Who plays, and what is kept of it.
     PoolPlayers& players() { return players_; }
     const PoolPlayers& players() const { return players_; }
@@ -93,6 +95,7 @@ class PoolController : public FreeController {
     double after_ = 0.0;  ///< InputEvent::after of the event that is being handled, s
     PoolPlayers players_;
     PoolCoach coach_;
+    Confirmation confirmation_;
 };
 
 /// Whether balls are in motion, so that no shot is due.

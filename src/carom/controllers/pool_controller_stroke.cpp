@@ -54,6 +54,7 @@ void PoolController::pass(PlayContext& play, double seconds) {
     if (!stroke_.pass(seconds)) say(play, "No stroke: too late.");
     if (aim_.work(play.session)) play.needs_draw = true;
     players_.pass(play, seconds);
+    confirmation_.pass(seconds);
     hear_coach(play);
 }
 

@@ -71,6 +71,14 @@ void add_first_hints(const PlayContext& play, Hints& hints) {
     }
 }
 
+// At a table, also in a recording of one.
+bool is_game(const PlayContext& play) {
+    const PlayKind kind = play.controller->kind();
+    const Scene& scene = play.session.scene();
+    return kind == PlayKind::pool || kind == PlayKind::cue || kind == PlayKind::pinball ||
+           (kind == PlayKind::watching && (scene.pool.cue || scene.table.is_game));
+}
+
 std::vector<KeyHelp> hints_of(const PlayContext& play) {
     Hints hints{play.keys, {}};
     const bool has_empty_hand = play.pointer.tool.is_empty();
@@ -95,7 +103,7 @@ std::vector<KeyHelp> hints_of(const PlayContext& play) {
     }
     hints.add("renderer", "renderer");
     hints.add("quit", "quit");
-    if (!watches) hints.add("solver", "solver");
+    if (!watches && !is_game(play)) hints.add("solver", "solver");
     return std::move(hints.lines);
 }
 
@@ -154,14 +162,6 @@ void add_world(const PlayContext& play, HudInfo& info) {
     info.clustered = event_memory(world).clustered.size();
     info.collisions = world.ball_ball_collisions() + world.ball_edge_collisions();
     info.checks = checks_of(play);
-}
-
-// At a table, also in a recording of one.
-bool is_game(const PlayContext& play) {
-    const PlayKind kind = play.controller->kind();
-    const Scene& scene = play.session.scene();
-    return kind == PlayKind::pool || kind == PlayKind::cue || kind == PlayKind::pinball ||
-           (kind == PlayKind::watching && (scene.pool.cue || scene.table.is_game));
 }
 
 }  // namespace

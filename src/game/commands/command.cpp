@@ -81,6 +81,7 @@ struct Execute {
     void operator()(const Decide&) const {}
     void operator()(const RackAgain&) const {}
     void operator()(const TimeOut&) const {}
+    void operator()(const Concede&) const {}
 };
 
 bool is_drop(const Command& command) {

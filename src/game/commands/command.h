@@ -95,14 +95,16 @@ struct Decide {
 struct RackAgain {};
 /// Pool: the shot clock has run out. Whoever measures the player's time gives this command.
 struct TimeOut {};
+/// Pool: the player whose turn it is concedes the frame.
+struct Concede {};
 }  // namespace command
 
-using Command =
-    std::variant<command::Strike, command::HoldBall, command::DropBall, command::HoldCapsule,
-                 command::DropCapsule, command::PlaceBall, command::PlaceCapsule, command::AddBall,
-                 command::RemoveBall, command::AddCapsule, command::RemoveCapsule,
-                 command::SetGravity, command::SetSolver, command::Press, command::CallShot,
-                 command::Decide, command::RackAgain, command::Pull, command::TimeOut>;
+using Command = std::variant<command::Strike, command::HoldBall, command::DropBall,
+                             command::HoldCapsule, command::DropCapsule, command::PlaceBall,
+                             command::PlaceCapsule, command::AddBall, command::RemoveBall,
+                             command::AddCapsule, command::RemoveCapsule, command::SetGravity,
+                             command::SetSolver, command::Press, command::CallShot, command::Decide,
+                             command::RackAgain, command::Pull, command::TimeOut, command::Concede>;
 
 /// A command and the tick at which it applies: before tick number `tick` + 1 is computed.
 struct TimedCommand {

@@ -247,6 +247,10 @@ Refusal refused(const World&, const TimeOut&) {
     return refused_without_rules();
 }
 
+Refusal refused(const World&, const Concede&) {
+    return refused_without_rules();
+}
+
 }  // namespace
 
 std::optional<std::string> refusal(const World& world, const Command& command) {

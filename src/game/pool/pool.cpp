@@ -63,10 +63,17 @@ void carry_out(const Scene& scene, World& world, PoolPlay& play, PoolRuling ruli
     if (play.rules.winner) ++play.frames[static_cast<std::size_t>(*play.rules.winner)];
 }
 
+void decide(PoolPlay& play, std::optional<PoolChoice> choice) {
+    play.decision = {choice, play.last_foul, play.last_penalty};
+}
+
 void run_out_of_time(const Scene& scene, World& world, PoolPlay& play) {
     if (play.rules.phase != PoolPhase::choosing) {
         play.shooter = play.rules.player;
         play.shot = {};
+        play.decision.reset();
+    } else {
+        decide(play, play.rules.choices.front());
     }
     carry_out(scene, world, play, judge_time(play.rules), false);
 }
@@ -82,6 +89,8 @@ void execute(const Scene& scene, World& world, PoolPlay& play, const Command& co
         rack_again(scene, world, play);
     } else if (std::holds_alternative<command::TimeOut>(command)) {
         run_out_of_time(scene, world, play);
+    } else if (std::holds_alternative<command::Concede>(command)) {
+        concede_frame(scene, world, play);
     } else {
         execute(world, command);
         if (std::holds_alternative<command::Strike>(command)) begin_shot(world, play);
@@ -269,7 +278,13 @@ void update_pool(const Scene& scene, World& world, PoolPlay& play,
 }
 
 void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice choice) {
+    decide(play, choice);
     carry_out(scene, world, play, choose(play.rules, choice), false);
+}
+
+void concede_frame(const Scene& scene, World& world, PoolPlay& play) {
+    decide(play, std::nullopt);
+    carry_out(scene, world, play, concede(play.rules), false);
 }
 
 void rack_frame(const Scene& scene, World& world, PoolPlay& play, std::uint32_t frame) {
@@ -303,6 +318,7 @@ void rack_again(const Scene& scene, World& world, PoolPlay& play) {
     play.call = {};
     play.shot = {};
     play.shooter.reset();
+    play.decision.reset();
     play.last_foul = PoolFoul::none;
     rack_next(scene, world, play);
 }

@@ -47,6 +47,16 @@ struct PoolPlay {
     };
     std::vector<Lay> lay;
     std::optional<int> shooter;  ///< of that shot; none: no shot in this frame yet
+    /// What a player has decided since that shot. It only serves the words (pool_words.h), follows
+    /// from the commands, and is no part of the digest.
+    struct Decision {
+        std::optional<PoolChoice> choice;  ///< none: the player conceded the frame
+        PoolFoul foul = PoolFoul::none;    ///< of the shot
+        int penalty = 0;
+
+        friend bool operator==(const Decision&, const Decision&) = default;
+    };
+    std::optional<Decision> decision;
     PoolFoul last_foul = PoolFoul::none;
     int last_penalty = 0;  ///< points of that foul
     std::uint32_t shots = 0;
@@ -83,6 +93,9 @@ void update_pool(const Scene& scene, World& world, PoolPlay& play,
 
 /// Pre: the choice is one of play.rules.choices.
 void make_choice(const Scene& scene, World& world, PoolPlay& play, PoolChoice choice);
+
+/// The player whose turn it is concedes the frame. Pre: is_awaited(play).
+void concede_frame(const Scene& scene, World& world, PoolPlay& play);
 
 /// Starts the next frame, which the other player breaks, or restarts an unfinished frame. After the
 /// last frame of a match another match starts. Pre: no ball is moving.

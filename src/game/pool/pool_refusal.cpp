@@ -78,6 +78,11 @@ Refusal refused(const Scene& scene, const World&, const PoolPlay& play, const co
     return is_awaited(play) ? Refusal{} : "the shot clock does not run";
 }
 
+Refusal refused(const Scene&, const World&, const PoolPlay& play, const command::Concede&) {
+    if (play.is_shooting) return "the balls are still rolling";
+    return is_awaited(play) && play.shooter ? Refusal{} : "there is no frame to concede";
+}
+
 Refusal refused(const Scene&, const World& world, const PoolPlay&, const command::SetSolver& set) {
     return refusal(world, Command(set));
 }

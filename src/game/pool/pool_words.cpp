@@ -182,6 +182,13 @@ bool is_stalemate(const PoolPlay& play) {
     return play.rules.options.stalemate > 0 && play.last_foul == PoolFoul::none;
 }
 
+// "Foul, 4: no ball was hit. "
+std::string foul_sentence(PoolFoul foul, int penalty) {
+    if (foul == PoolFoul::none) return "";
+    return fmt::format("Foul{}: {}. ", penalty == 0 ? "" : fmt::format(", {}", penalty),
+                       foul_text(foul));
+}
+
 // What a foul or the reason for the ruling adds: "Foul: no ball was hit. 3 fouls in a row. ".
 std::string why_text(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
@@ -190,9 +197,7 @@ std::string why_text(const PoolPlay& play, const PlayerNames& names) {
     const bool is_new_rack = rules.phase == PoolPhase::breaking;
     if (play.last_foul == PoolFoul::none)
         return reason.empty() || is_new_rack ? "" : fmt::format("{}. ", reason);
-    std::string text =
-        play.last_penalty == 0 ? "Foul: " : fmt::format("Foul, {}: ", play.last_penalty);
-    text += fmt::format("{}. ", foul_text(play.last_foul));
+    std::string text = foul_sentence(play.last_foul, play.last_penalty);
     const int most = rules.options.fouls_that_lose;
     if (rules.winner && most > 0 && rules.fouls[shooter] >= most)
         text += fmt::format("{} fouls in a row. ", most);
@@ -206,8 +211,33 @@ std::string why_text(const PoolPlay& play, const PlayerNames& names) {
     return text;
 }
 
+// What a player decided, after the foul that led to it: "Foul, 4: no ball was hit. You shoot from
+// here".
+std::string decision_text(const PoolPlay& play, const PlayerNames& names) {
+    const PoolPlay::Decision& decision = *play.decision;
+    const std::string& next = name_of(names, play.rules.player);
+    if (!decision.choice)
+        return fmt::format("{}. {}", does(next, "concedes"), win_text(play, names));
+    const std::string foul = foul_sentence(decision.foul, decision.penalty);
+    switch (*decision.choice) {
+        case PoolChoice::take_table:
+            return fmt::format("{}{} from here", foul, does(next, "shoots"));
+        case PoolChoice::return_push:
+            return fmt::format("{}{} again", foul, does(next, "shoots"));
+        case PoolChoice::replace:
+            return fmt::format("{}the balls are put back. {} again", foul, does(next, "shoots"));
+        case PoolChoice::spot_eight:
+            return "the 8 is spotted. " + does(next, "continues");
+        case PoolChoice::break_again:
+        case PoolChoice::let_break:
+            return foul + does(next, "breaks") + " again";
+    }
+    return "";
+}
+
 std::string outcome_parts(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
+    if (play.decision) return decision_text(play, names);
     const std::string fallen = fallen_text(play);
     const std::string foul = why_text(play, names);
     if (rules.phase == PoolPhase::breaking)

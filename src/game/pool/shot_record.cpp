@@ -97,6 +97,7 @@ void begin_shot(const World& world, PoolPlay& play) {
     play.frozen = find_frozen(world, play);
     play.shooter = play.rules.player;
     play.shot = {};
+    play.decision.reset();
     ++play.shots;
     play.lay.clear();
     if (!play.rules.referee->may_put_back()) return;

@@ -182,6 +182,14 @@ PoolRuling judge_time(const PoolState& state) {
     return state.referee->judge_time(state);
 }
 
+PoolRuling concede(const PoolState& state) {
+    PoolRuling ruling;
+    ruling.next = state;
+    ruling.next.choices.clear();
+    win(ruling.next, 1 - state.player);
+    return ruling;
+}
+
 PoolRuling choose(const PoolState& state, PoolChoice choice) {
     return state.referee->choose(state, choice);
 }

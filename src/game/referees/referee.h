@@ -125,6 +125,9 @@ bool is_warned(const PoolState& state);
 /// choice, which is no foul. Pre: the phase is not over.
 PoolRuling judge_time(const PoolState& state);
 
+/// The player whose turn it is concedes: the opponent wins the frame. Pre: the phase is not over.
+PoolRuling concede(const PoolState& state);
+
 /// Referee::choose by the referee of this rack.
 PoolRuling choose(const PoolState& state, PoolChoice choice);
 

@@ -46,7 +46,8 @@ constexpr std::string_view examples[] = {"strike 0 1.5,-2",
                                          "call pot 3 1",
                                          "decide take-table",
                                          "rack",
-                                         "time-out"};
+                                         "time-out",
+                                         "concede"};
 
 // Whether all balls lie still, and the last shot is over.
 bool may_shoot(const World& world, const GameState& game) {

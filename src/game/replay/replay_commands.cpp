@@ -98,6 +98,7 @@ struct CommandText {
     }
     std::string operator()(const RackAgain&) const { return "rack"; }
     std::string operator()(const TimeOut&) const { return "time-out"; }
+    std::string operator()(const Concede&) const { return "concede"; }
     std::string operator()(const SetSolver& c) const {
         return "solver " + settings_text(c.settings, SettingsText::recorded);
     }
@@ -217,6 +218,7 @@ std::optional<Command> read_command(Words& words) {
     if (what == "decide") return Decide{value_of<PoolChoice>(words, choice_names)};
     if (what == "rack") return RackAgain{};
     if (what == "time-out") return TimeOut{};
+    if (what == "concede") return Concede{};
     if (what == "solver") return SetSolver{read_solver(words)};
     return std::nullopt;
 }

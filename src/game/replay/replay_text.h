@@ -61,6 +61,7 @@
 ///                                         replace
 ///     at 70 rack                          the next frame
 ///     at 71 time-out                      the shot clock has run out
+///     at 72 concede                       the player whose turn it is concedes the frame
 ///     mark 120 0123456789abcdef
 ///     opponent 3                          the number of the AI player that is the second player
 ///                                         (ai/opponents.h); absent: a person

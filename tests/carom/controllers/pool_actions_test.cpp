@@ -57,6 +57,104 @@ struct Person : test::PersonAtWindow {
 
 }  // namespace
 
+TEST_CASE("in a match N, pressed twice at once, concedes the frame") {
+    Person person("nine-ball");
+    person.begin_match();
+    const std::size_t commands = person.commands();
+    person.key(U'N');
+    CHECK(person.sees("Press N again to concede the frame."));
+    person.key(key::left);  // no
+    person.key(U'N');
+    person.pass(6.0);  // too late
+    person.key(U'N');
+    CHECK(person.commands() == commands);
+    person.key(U'N');
+    CHECK(person.play().rules.winner == 1);
+    person.pass(0.1);
+    CHECK(person.sees("You concede. Carom wins the frame."));
+    CHECK(person.sees("0:1"));
+    person.key(U'N');
+    CHECK(person.sees("The balls are racked."));
+}
+
+// One key, which the last line offered, wiped out a match.
+TEST_CASE("a frame that is being played is restarted only when r is pressed twice") {
+    for (const bool is_match : {false, true}) {
+        CAPTURE(is_match);
+        Person person("nine-ball");
+        if (is_match) {
+            person.begin_match();
+        } else {
+            person.key(key::enter);
+            person.wait();
+        }
+        const std::uint64_t tick = person.world().tick();
+        person.key(U'r');
+        CHECK(person.sees("Press r again to lose this frame and restart."));
+        CHECK(person.world().tick() >= tick);
+        person.key(U'r');
+        CHECK(person.sees("Restarted."));
+        CHECK(person.world().tick() == 0);
+        // Nothing is lost now.
+        person.key(U'r');
+        CHECK(person.sees("Restarted."));
+    }
+}
+
+TEST_CASE("in a match the solver stays, and in practice it does not") {
+    Person person("nine-ball");
+    person.key(U's');
+    CHECK(person.player.session().solver().kind != SolverKind::event);
+    Person in_match("nine-ball");
+    in_match.begin_match();
+    in_match.key(U's');
+    CHECK(in_match.sees("In a match the solver stays."));
+    CHECK(in_match.player.session().solver().kind == SolverKind::event);
+    CHECK_FALSE(in_match.sees("s solver"));
+}
+
+TEST_CASE("in the past of a match enter says why it does not shoot") {
+    Person person("nine-ball");
+    person.begin_match();
+    for (int i = 0; i < 30; ++i)
+        person.key(U'<');
+    REQUIRE(person.world().tick() < person.player.session().latest());
+    const std::size_t commands = person.commands();
+    person.key(key::enter);
+    CHECK(person.sees("In a match the past is only looked at"));
+    CHECK(person.commands() == commands);
+}
+
+// The message said "No ball fell. Carom shoots.", since carom chooses at once.
+TEST_CASE("after a foul at snooker the message tells it, though carom has chosen already") {
+    Person person("snooker");
+    REQUIRE(person.player.pool_players()->set_opponent(person.player.session(), 1));
+    for (int i = 0; i < 17; ++i)
+        person.key(key::down);  // too soft to reach a ball
+    person.key(key::enter);
+    person.pass(0.3);
+    person.key(key::enter);
+    person.pass(0.1);
+    person.wait();
+    REQUIRE(person.play().rules.phase == PoolPhase::choosing);
+    for (int i = 0; i < 1000 && person.play().rules.phase == PoolPhase::choosing; ++i)
+        person.pass(0.1);
+    REQUIRE(person.play().rules.phase != PoolPhase::choosing);
+    REQUIRE(person.play().shots == 1);
+    person.pass(0.1);
+    CHECK(person.sees("Foul, 4: no ball was hit."));
+}
+
+TEST_CASE("every choice after a foul is listed at 80 columns") {
+    Person person("eight-ball", 80, 24);
+    for (int i = 0; i < 75; ++i)
+        person.key(key::down);
+    person.key(key::enter);
+    person.wait();
+    REQUIRE(person.play().rules.choices.size() == 3);
+    CHECK(person.sees("1 shoot from here  2 rack again and break  3 rack, the other breaks"));
+}
+
 TEST_CASE("z zooms on the place where the aim meets a ball") {
     Person person("eight-ball");
     const auto ghost = [&] {

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "game/pool/pool_words.h"
 #include "game/pool/table_places.h"
 #include "game/support/shipped.h"
 #include "game/support/table_in_play.h"
@@ -185,6 +186,32 @@ TEST_CASE("the end of the shot clock is a command, and a foul") {
     TableInPlay table_without_clock("nine-ball");
     CHECK(refusal(table_without_clock.scene, table_without_clock.world, table_without_clock.play,
                   time_out));
+}
+
+TEST_CASE("the player whose turn it is concedes the frame, between two shots") {
+    TableInPlay table("eight-ball");
+    const Command concede = command::Concede{};
+    const auto is_refused = [&] {
+        return refusal(table.scene, table.world, table.play, concede).has_value();
+    };
+    CHECK(is_refused());
+    table.world.edit_balls().velocity[table.cue()] = {9.0, 0.2};
+    begin_shot(table.world, table.play);
+    CHECK(is_refused());
+    table.wait();
+    REQUIRE(table.play.rules.phase != PoolPhase::over);
+    const int player = table.play.rules.player;
+    REQUIRE_FALSE(is_refused());
+    execute(table.scene, table.world, table.play, concede);
+    CHECK(table.play.rules.winner == 1 - player);
+    CHECK(table.play.rules.choices.empty());
+    CHECK(table.play.frames[static_cast<std::size_t>(1 - player)] == 1);
+    CHECK(outcome_text(table.play, {"you", "carom"}) ==
+          (player == 0 ? "You concede. Carom wins the frame."
+                       : "Carom concedes. You win the frame."));
+    CHECK(is_refused());
+    rack_again(table.scene, table.world, table.play);
+    CHECK_FALSE(table.play.decision);
 }
 
 TEST_CASE("a match ends with the last frame of the race, and the next starts at 0-0") {

@@ -98,6 +98,44 @@ TEST_CASE("after a push-out, or a pot that was not called, the choice says so") 
           "Pocketed: 4. Not a called pot. Player 2 chooses.");
 }
 
+// A choice that the opponent made at once replaced the foul by "No ball fell".
+TEST_CASE("after a choice the words tell the foul, and what was chosen") {
+    const Scene scene = test::shipped_level("snooker");
+    const PoolShot pink{.first_hit = 20, .rail_after_hit = true};
+    const auto chosen = [&](PoolChoice choice) {
+        World world = scene.world;
+        PoolPlay play = *begin_pool(scene);
+        const PoolPlay fouled = after(play.rules, pink);
+        play.rules = fouled.rules;
+        play.shot = fouled.shot;
+        play.shooter = 0;
+        play.last_foul = fouled.last_foul;
+        play.last_penalty = fouled.last_penalty;
+        REQUIRE(told(play) == "Foul, 6: the wrong ball was hit first. Player 2 chooses.");
+        make_choice(scene, world, play, choice);
+        return told(play);
+    };
+    CHECK(chosen(PoolChoice::take_table) ==
+          "Foul, 6: the wrong ball was hit first. Player 2 shoots from here.");
+    CHECK(chosen(PoolChoice::return_push) ==
+          "Foul, 6: the wrong ball was hit first. Player 1 shoots again.");
+    CHECK(chosen(PoolChoice::replace) ==
+          "Foul, 6: the wrong ball was hit first. The balls are put back. Player 1 shoots again.");
+}
+
+TEST_CASE("all choices of a game fit into the last line of 80 columns") {
+    using enum PoolChoice;
+    for (const std::vector<PoolChoice>& choices : {std::vector{take_table, return_push, replace},
+                                                   {take_table, break_again, let_break},
+                                                   {spot_eight, break_again},
+                                                   {take_table, let_break}}) {
+        std::string line;
+        for (const PoolChoice choice : choices)
+            line += " 1 " + std::string(choice_text(choice)) + " ";
+        CHECK(line.size() + std::string("? keys").size() <= 78);
+    }
+}
+
 TEST_CASE("a ball that falls without being called passes the turn, and the message says so") {
     const PoolShot lucky{.first_hit = 1, .pocketed = {{4, 0}}};
     const PoolCall other{PoolCall::Kind::pot, 1, 0};

@@ -48,6 +48,7 @@ Replay everything() {
         {69, command::Decide{PoolChoice::return_push}},
         {70, command::RackAgain{}},
         {70, command::TimeOut{}},
+        {70, command::Concede{}},
     };
     replay.marks = {{600, 0xfedcba9876543210ull}, {1200, 1}};
     replay.end = 1200;
