@@ -5,7 +5,7 @@
 namespace carom {
 
 /// A question whose answer is the key that led to it, pressed again at once: what that key does
-/// cannot be taken back. Any other key is a no.
+/// cannot be taken back.
 class Confirmation {
   public:
     /// A key of this action was pressed. Pre: the name lasts, as those of the table of actions do.
@@ -21,7 +21,7 @@ class Confirmation {
     void pass(double seconds) { seconds_left_ -= seconds; }
 
   private:
-    static constexpr double patience = 5.0;  // s, as long as the question can be read
+    static constexpr double patience = 3.0;  // s
 
     std::string_view asked_;
     double seconds_left_ = 0.0;

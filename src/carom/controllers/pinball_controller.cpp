@@ -147,16 +147,14 @@ bool PinballController::take_mouse(PlayContext& play, const InputEvent& event) {
 /// Returns true and asks, if the action would cost the game something, unless its key has just been
 /// pressed before.
 bool PinballController::asks_first(PlayContext& play, const Action& action) {
-    constexpr double time_to_confirm = 3.0;  // s
     const auto* const risk = std::ranges::find(risks, action.name, &Risk::action);
     if (risk == std::end(risks) || demo_ || !is_in_pinball_game(play.session)) return false;
     if (risk->costs_place && !feedback_.may_enter(play)) return false;
-    const bool is_confirmed = confirm_left_ > 0.0 && asked_ == action.name;
-    asked_ = action.name;
-    confirm_left_ = time_to_confirm;
-    if (!is_confirmed)
-        say(play, fmt::format("Press {} again to {}", play.keys.hint(action.name), risk->effect));
-    return !is_confirmed;
+    confirmation_.press(action.name);
+    confirmation_.ask();
+    if (confirmation_.is_given()) return false;
+    say(play, fmt::format("Press {} again to {}", play.keys.hint(action.name), risk->effect));
+    return true;
 }
 
 void PinballController::perform(PlayContext& play, const Action& action) {
@@ -171,7 +169,7 @@ void PinballController::perform(PlayContext& play, const Action& action) {
 
 void PinballController::pass(PlayContext& play, double seconds) {
     learn_keys(play);
-    confirm_left_ = std::max(0.0, confirm_left_ - seconds);
+    confirmation_.pass(seconds);
     press_buttons(play, input_.pass(seconds, play.clock.is_paused()));
     attract(play, seconds);
     feedback_.pass(play, seconds);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "carom/controllers/confirmation.h"
 #include "carom/controllers/free_controller.h"
 #include "carom/controllers/pinball_feedback.h"
 #include "carom/controllers/pinball_input.h"
@@ -56,8 +57,7 @@ class PinballController : public FreeController {
     PinballFeedback feedback_;
     double idle_ = 0.0;  ///< s since the last key while the table waits for a player
     bool attracts_ = false;
-    std::string_view asked_;     ///< the action whose key must be pressed again
-    double confirm_left_ = 0.0;  ///< s in which that key performs it
+    Confirmation confirmation_;
 };
 
 /// Whether a game of pinball has begun, by its first launch, and is not over. It is kept when the
