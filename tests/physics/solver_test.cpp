@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/closest.h"
+#include "physics/solver_table.h"
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 #include "physics/world/fingerprint.h"
@@ -417,4 +418,29 @@ TEST_CASE("a positive zero continues from a snapshot with the same bits") {
             CHECK(fingerprint(world) == fingerprint(copy));
         }
     }
+}
+
+// Regression: each trial of hands and movers had a budget of its own.
+TEST_CASE("swept: a repeated tick has what the trial before it has left of the budget") {
+    // A ball that fits hardly between two walls meets them a hundred thousand times in a tick.
+    World world = scenes::empty();
+    add_capsule(world, {{-1.0, -5.0}, {-1.0, 5.0}, 0.0}, 0);
+    add_capsule(world, {{1.0001, -5.0}, {1.0001, 5.0}, 0.0}, 0);
+    add_ball(world, {.velocity = {1e4, 0.0}, .radius = 1.0});
+    const auto method = row_of(SolverKind::swept).make({.kind = SolverKind::swept});
+    const auto impacts_of_trial = [&](bool is_repeated) {
+        World trial = world;
+        std::vector<Contact> contacts;
+        std::vector<std::uint8_t> touched(1);
+        method->advance(trial, {contacts, touched, {}, false, is_repeated});
+        CHECK(!method->standing().empty());
+        return contacts.size();
+    };
+    const std::size_t first = impacts_of_trial(false);
+    std::size_t repeated = 0;
+    for (int trial = 0; trial < 8; ++trial)
+        repeated += impacts_of_trial(true);
+    CHECK(first > 5'000);
+    CHECK(repeated < first);
+    CHECK(impacts_of_trial(false) == first);
 }
