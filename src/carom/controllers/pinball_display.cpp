@@ -1,9 +1,13 @@
+#include "carom/controllers/pinball_display.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "carom/controllers/pinball_display.h"
 #include "carom/controllers/pinball_panel.h"
 #include "game/pinball/pinball.h"
+#include "game/rules/rules.h"
 
 namespace carom {
 namespace {
@@ -132,8 +136,24 @@ void PinballDisplay::celebrate(const Session& session, double seconds) {
         banner_ = state.message;
         banner_left_ = duration;
     }
+    count_ball(state);
     score_ = state.score;
     balls_ = balls;
+}
+
+// A score that falls is that of another game, or of an earlier time.
+void PinballDisplay::count_ball(const PinballState& state) {
+    if (state.score < score_ || state.ball < ball_) {
+        std::erase_if(ball_scores_,
+                      [&](const BallScore& known) { return known.ball >= state.ball; });
+        began_.reset();
+        ball_ = state.ball;
+    }
+    if (state.score == 0 && state.ball == 1) began_ = 0;
+    if (state.ball <= ball_) return;
+    if (began_ && ball_ > 0) ball_scores_.push_back({ball_, state.score - *began_});
+    if (ball_ > 0) began_ = state.score;
+    ball_ = state.ball;
 }
 
 Camera PinballDisplay::look(const Session& session, const Box& table, const CellArea& area,
@@ -203,6 +223,9 @@ void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const Pi
     if (card_.columns > 0)
         draw_rules_card(canvas, card_, "HOW TO PLAY", session.scene().comment, look);
     ScorePanel panel = score_panel(session, scores, is_demonstrating);
+    if (scores_of(state_of(session)).size() == 1)
+        for (const BallScore& known : ball_scores_)
+            panel.balls.push_back(fmt::format("ball {} {:>16}", known.ball, grouped(known.score)));
     if (banner_left_ > 0.0) {
         constexpr double beats = 4.0;  // a second
         const bool is_bright = beats * banner_left_ - std::floor(beats * banner_left_) < 0.5;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "carom/controllers/pinball_scores.h"
 #include "game/session/session.h"
@@ -31,6 +33,7 @@ class PinballDisplay {
 
   private:
     void celebrate(const Session& session, double seconds);
+    void count_ball(const PinballState& state);
 
     TableCamera camera_;
     CellArea panel_;
@@ -41,6 +44,15 @@ class PinballDisplay {
     double banner_left_ = 0.0;  // s
     std::int64_t score_ = 0;    // when last looked at
     std::size_t balls_ = 0;
+
+    /// What a ball of this game scored, of one player.
+    struct BallScore {
+        std::uint32_t ball = 0;
+        std::int64_t score = 0;
+    };
+    std::vector<BallScore> ball_scores_;  ///< of those that were seen from their beginning
+    std::uint32_t ball_ = 0;              ///< in play, when last looked at
+    std::optional<std::int64_t> began_;   ///< the score with which it began, if that is known
 };
 
 }  // namespace carom

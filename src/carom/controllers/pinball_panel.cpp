@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "game/pinball/pinball.h"
 #include "game/rules/rules.h"
@@ -49,6 +51,40 @@ std::string target_line(const Session& session, const PinballScores& scores) {
         return fmt::format("extra ball at {}", grouped(replay));
     if (next) return fmt::format("to beat: {} by {}", grouped(next->score), next->initials);
     return scores.scores().lines.empty() ? "" : "the best score so far";
+}
+
+// The inserts with a name. Those of one statement have one name between them.
+std::vector<ScoreLight> lights_of(const Session& session) {
+    const auto& state = std::get<PinballState>(session.game());
+    const Scene& scene = session.scene();
+    const std::span<const std::uint32_t> wanted = shots_to_make(scene, session.world(), state);
+    std::vector<ScoreLight> lights;
+    std::vector<std::uint32_t> told;  // an insert may be in several groups
+    const auto add = [&](std::uint32_t group, std::uint32_t named,
+                         const std::vector<std::uint32_t>& devices) {
+        if (std::ranges::count(told, named) > 0) return;
+        told.push_back(named);
+        const DeviceDress& dress = scene.dress.devices[named];
+        ScoreLight light{dress.text, {}, std::ranges::count(wanted, group) > 0, {}};
+        for (const std::uint32_t device : devices)
+            light.lamps.push_back(state.is_lit[device] != 0);
+        if (dress.color)
+            light.color = Rgb{static_cast<int>(*dress.color >> 16 & 0xffU),
+                              static_cast<int>(*dress.color >> 8 & 0xffU),
+                              static_cast<int>(*dress.color & 0xffU)};
+        lights.push_back(std::move(light));
+    };
+    for (std::uint32_t group = 0; group < scene.table.groups.size(); ++group) {
+        const std::vector<std::uint32_t>& devices = scene.table.groups[group].devices;
+        std::vector<std::uint32_t> named;
+        for (const std::uint32_t device : devices)
+            if (scene.dress.devices[device].is_insert && !scene.dress.devices[device].text.empty())
+                named.push_back(device);
+        if (named.size() == 1) add(group, named.front(), devices);
+        for (const std::uint32_t device : named)
+            if (named.size() > 1) add(group, device, {device});
+    }
+    return lights;
 }
 
 /// Lights that go out by themselves: "GETAWAY 18 s". Gates and posts that shut are no lights.
@@ -105,6 +141,7 @@ ScorePanel score_panel(const Session& session, const PinballScores& scores, bool
     if (state.phase == PinballState::Phase::playing)
         panel.task = task_text(session.scene(), session.world(), state);
     panel.message = state.message;
+    panel.lights = lights_of(session);
     if (initials)
         panel.call =
             (scores.player() == 0 ? "YOUR INITIALS: "

@@ -36,6 +36,15 @@ class Writer {
     void line(std::string_view text, const Ink& ink) {
         write_cut(canvas_, area_, row_++, text, ink);
     }
+    /// Two texts in a row.
+    void pair(std::string_view first, const Ink& first_ink, std::string_view second,
+              const Ink& second_ink) {
+        const int width = columns_of(first) + 2;
+        write_cut(canvas_, area_, row_, first, first_ink);
+        const CellArea rest{area_.column + width, area_.row, area_.columns - width, area_.rows};
+        if (rest.columns > 0) write_cut(canvas_, rest, row_, second, second_ink);
+        ++row_;
+    }
     void score(std::string_view text) {
         const Ink ink = ink_of(Role::counter, look_);
         const int width = large_width(text);
@@ -83,6 +92,45 @@ class Writer {
 
 namespace {
 
+// The table's lights, a row each: how far every mode has come.
+void write_lights(Writer& writer, const std::vector<ScoreLight>& lights, const Look& look) {
+    std::size_t most = 0;
+    for (const ScoreLight& light : lights)
+        most = std::max(most, light.lamps.size());
+    writer.line("LIGHTS", ink_of(Role::faint, look));
+    for (const ScoreLight& light : lights) {
+        const bool is_lit = std::ranges::count(light.lamps, true) > 0;
+        std::string lamps;
+        for (const bool lamp : light.lamps)
+            lamps += look.utf8 ? (lamp ? "●" : "·") : (lamp ? "#" : ".");
+        lamps.append(most - light.lamps.size(), ' ');
+        const Ink lamp_ink =
+            is_lit && light.color ? ink_of_color(*light.color, look) : ink_of(Role::faint, look);
+        const Ink name_ink = ink_of(light.is_wanted ? Role::warning
+                                    : is_lit        ? Role::text
+                                                    : Role::faint,
+                                    look);
+        writer.pair(lamps, lamp_ink, light.name, name_ink);
+    }
+}
+
+// Lists that fill a high window, each only if all of it fits.
+void write_lists(Writer& writer, const ScorePanel& panel, const Look& look) {
+    const auto fits = [&](std::size_t rows, std::size_t after) {
+        return rows > 0 && writer.rows_left() >= static_cast<int>(rows + after) + 2;
+    };
+    const std::size_t scores = panel.high_scores.empty() ? 0 : panel.high_scores.size() + 2;
+    if (fits(panel.lights.size(), scores)) {
+        writer.skip();
+        write_lights(writer, panel.lights, look);
+    }
+    if (!fits(panel.balls.size(), scores)) return;
+    writer.skip();
+    writer.line("THIS GAME", ink_of(Role::faint, look));
+    for (const std::string& line : panel.balls)
+        writer.line(line, ink_of(Role::text, look));
+}
+
 void write_score_panel(Canvas& canvas, const CellArea& area, const ScorePanel& panel,
                        const Look& look) {
     const CellArea inside{area.column + 1, area.row, area.columns - 2, area.rows};
@@ -117,6 +165,7 @@ void write_score_panel(Canvas& canvas, const CellArea& area, const ScorePanel& p
         writer.call(panel.call, ink_of(Role::good, look));
     else if (!is_large)
         writer.skip();
+    write_lists(writer, panel, look);
     if (panel.high_scores.empty() || writer.rows_left() < 3) return;
     writer.skip();
     writer.line("HIGH SCORES", faint);

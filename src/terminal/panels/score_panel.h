@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,14 @@ struct ScoreLine {
     bool is_new = false;
 };
 
+/// A light of the table that has a name, or several of one name.
+struct ScoreLight {
+    std::string name;
+    std::vector<bool> lamps;   ///< whether each is lit
+    bool is_wanted = false;    ///< the task asks for it
+    std::optional<Rgb> color;  ///< of its lamps
+};
+
 struct ScorePanel {
     /// How the message is drawn: in a line, or higher, in two colours that take turns.
     enum class Moment : std::uint8_t { plain, large, large_bright };
@@ -30,7 +39,9 @@ struct ScorePanel {
     std::vector<std::string> lines;      ///< the ball, the bonus, ...
     std::string task;                    ///< what to do now; may be empty
     std::string call;                    ///< an announcement such as "SHOOT AGAIN"; may be empty
+    std::vector<ScoreLight> lights;      ///< shown where the window is high enough
     std::vector<ScoreLine> high_scores;  ///< the best first
+    std::vector<std::string> balls;      ///< of this game: what each of the balls scored
 };
 
 /// Widths, in columns.

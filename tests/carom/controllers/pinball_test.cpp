@@ -307,6 +307,25 @@ TEST_CASE("the panel lists lights that go out, and no gate or post") {
     CHECK(lines.find("bolt") == std::string::npos);
 }
 
+TEST_CASE("the panel of a high window lists the named lights, and what each ball scored") {
+    const TableHome home;
+    std::string text = short_game;
+    text.replace(text.find("balls=1"), 7, "balls=2");
+    text += "insert lock \"LOCK\" at=100,300 at=120,300 r=8\non lane enter light lock.2\n";
+    home.write("work.level", text);
+    AtTable table(home);
+    CHECK(table.sees("LIGHTS"));
+    CHECK(table.sees("··  LOCK"));
+    CHECK_FALSE(table.sees("THIS GAME"));
+    table.pass(1.0);
+    table.key(key::enter);
+    table.pass(5.0);
+    REQUIRE(table.sees("ball 2 of 2"));
+    CHECK(table.sees("THIS GAME"));
+    CHECK(table.sees("ball 1              700"));
+    CHECK_FALSE(table.sees("ball 0"));
+}
+
 TEST_CASE("with key releases, the first press already holds the flipper up") {
     const TableHome home;
     for (const bool tells : {true, false}) {

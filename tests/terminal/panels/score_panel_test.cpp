@@ -53,6 +53,22 @@ TEST_CASE("the table of scores comes last, with messages above it") {
     CHECK(text.find(" 1  ABC        123,450") != std::string::npos);
 }
 
+TEST_CASE("a high panel lists the lights and the balls of the game, a low one neither") {
+    ScorePanel panel{.title = "T", .score = "1"};
+    panel.lights = {{.name = "LOCK", .lamps = {true, true, false}},
+                    {.name = "JACKPOT", .lamps = {false}}};
+    panel.balls = {"ball 1            12,340"};
+    panel.high_scores = {{"1", "ABC", "100", false}};
+    const std::string high = drawn(panel, 34, 40, ascii);
+    CHECK(high.find("##.  LOCK") != std::string::npos);
+    CHECK(high.find(".    JACKPOT") != std::string::npos);
+    CHECK(high.find("ball 1") > high.find("JACKPOT"));
+    CHECK(high.find("ABC") > high.find("ball 1"));
+    const std::string low = drawn(panel, 34, 20, ascii);
+    CHECK(low.find("LOCK") == std::string::npos);
+    CHECK(low.find("ABC") != std::string::npos);
+}
+
 TEST_CASE("a large moment takes three rows, with spaces between its letters where there is room") {
     ScorePanel panel{.title = "T", .score = "5", .message = "JACKPOT", .lines = {"ball 1 of 3"}};
     const std::string small = drawn(panel, 34, 24, ascii);
