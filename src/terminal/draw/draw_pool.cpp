@@ -217,7 +217,7 @@ void paint_pool(Raster& raster, const View& view) {
 bool covers_another(const View& view, std::size_t ball, int width) {
     const Balls& balls = view.world.balls();
     const double scale = view.camera.columns_per_length;
-    constexpr double seen = 1.0;  // radii of the other ball: what must stay uncovered
+    constexpr double seen = 0.85;  // radii of the other ball: what must stay uncovered
     for (std::size_t i = 0; i < balls.size(); ++i) {
         if (i == ball) continue;
         const Vec2 apart = (balls.position[i] - balls.position[ball]) * scale;

@@ -117,6 +117,21 @@ TEST_CASE("effects: numbers do not cover other balls, as in a rack of small ball
     CHECK(shows_twelve(4.0));
 }
 
+TEST_CASE("effects: balls that touch at an angle keep their numbers where these are almost clear") {
+    // The corner of a number's cells is over the rim of the other ball.
+    const auto shows_seven = [](double radius) {
+        Scene scene = table_with_ball(radius);
+        BallSpec other;
+        other.position = Vec2{20.0, 10.0} + Vec2{1.0, 1.0} * (2.0 * radius * 0.70710678);
+        other.radius = radius;
+        add_ball(scene.world, other);
+        return drawn(scene, with(octant_renderer()), numbered(7)).text().find('7') !=
+               std::string::npos;
+    };
+    CHECK(shows_seven(1.3));
+    CHECK_FALSE(shows_seven(0.95));
+}
+
 TEST_CASE("effects: a pool ball has a shadow to its lower right, a ball of few pixels none") {
     const auto shadow_of = [](int pixels) {
         Raster raster(half_block_renderer(), 20, 10, 2.0);
