@@ -214,11 +214,11 @@ TEST_CASE("every choice that a player must make is shown, in a window of any siz
     info.game = "Foul, 6: the wrong ball was hit first. Player 2 chooses.";
     info.hints.push_back({"?", "keys", true});
     info.choices = {{"1", "shoot from here"}, {"2", "let him"}, {"3", "put the balls back"}};
-    for (const auto& [columns, rows] :
+    for (const auto& size :
          {std::pair{20, 8}, {24, 10}, {40, 16}, {60, 14}, {60, 24}, {80, 14}, {80, 24}}) {
-        CAPTURE(columns);
-        CAPTURE(rows);
-        Canvas canvas(columns, rows);
+        CAPTURE(size.first);
+        CAPTURE(size.second);
+        Canvas canvas(size.first, size.second);
         draw_hud(canvas, info, plain_look);
         const std::string text = canvas.text();
         CHECK(text.find("1 shoot") != std::string::npos);
