@@ -23,7 +23,7 @@ bool PinballFeedback::is_at(const Session& session) {
 
 bool PinballFeedback::may_enter(const PlayContext& play) const {
     const PinballTable& table = play.session.scene().table;
-    return table.is_game && table.highscores > 0 && state_of(play).score > 0 &&
+    return table.is_game && scores_.scores().most > 0 && state_of(play).score > 0 &&
            !scores_.is_left_out() && !is_watching(play);
 }
 

@@ -32,11 +32,16 @@ std::vector<std::string> files_of(const Scene& scene, const std::string& path) {
     return files;
 }
 
-// Gives the player the high scores of the table, if it keeps any.
-void show_high_scores(Player& player, const std::string& path) {
+// Gives the player the high scores of the table, if it keeps any. They are for the level as it is:
+// a statement or a solver of the player's own can make a table easier.
+void show_high_scores(Player& player, const LevelSource& source) {
     const PinballTable& table = player.session().scene().table;
-    if (!table.is_game || table.highscores == 0) return;
-    HighScoresText kept = load_high_scores(high_scores_name(path), table.highscores);
+    if (!table.is_game) return;
+    const bool is_own = source.solver || !source.overrides.empty();
+    if (is_own && table.highscores > 0 && !player.is_watching())
+        player.say("Changed by --set or --solver: no high scores here.");
+    if (is_own || table.highscores == 0) return player.set_high_scores({.lines = {}, .most = 0});
+    HighScoresText kept = load_high_scores(high_scores_name(source.path), table.highscores);
     if (kept.problem) player.complain(*kept.problem);
     player.set_high_scores(std::move(kept.scores));
 }
@@ -200,7 +205,7 @@ void Program::enter(LevelSource source, Player player, std::optional<Interrupted
     if (PoolPlayers* const players = player.pool_players()) players->set_hand(preferences_.hand);
     player.set_keep_going(keep_going_);
     if (options_.paused) player.pause(true);
-    show_high_scores(player, source.path);
+    show_high_scores(player, source);
     if (!player.is_watching()) show_pool_record(player);
     if (options_.demo) player.demonstrate();
     if (options_.opponent > 0 && !player.is_watching() &&

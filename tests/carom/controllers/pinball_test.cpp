@@ -7,6 +7,8 @@
 #include <functional>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "carom/controllers/pinball_bell.h"
 #include "carom/controllers/pinball_input.h"
@@ -109,13 +111,15 @@ struct AtTable {
     double now = 100.0;
 
     explicit AtTable(const TableHome& home, bool key_release = false, bool watch = false,
-                     const char* preferences = "", bool resume = false)
+                     const char* preferences = "", bool resume = false,
+                     std::vector<std::string> set = {})
         : program(
               [&] {
                   PlayOptions options;
                   options.level = home.table();
                   options.watch = watch;
                   options.resume = resume;
+                  options.overrides = std::move(set);
                   return options;
               }(),
               read_preferences(preferences, "preferences")) {
@@ -627,6 +631,21 @@ TEST_CASE("one stray key does not cost a game its place among the high scores, t
             table.pass(12.0);
             CHECK(table.sees("YOUR INITIALS") == !twice);
         }
+    }
+}
+
+TEST_CASE("a table that keeps no high scores, or was changed by --set, asks for no initials") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    const std::vector<std::string> changes[] = {
+        {}, {"use gravity 0,-0.7m/s2"}, {"game pinball balls=1 save=0s highscores=0"}};
+    for (const std::vector<std::string>& change : changes) {
+        AtTable table(home, false, false, "", false, change);
+        table.pass(1.0);
+        table.key(key::enter);
+        table.pass(10.0);
+        CHECK(table.sees("GAME OVER"));
+        CHECK(table.sees("YOUR INITIALS") == change.empty());
     }
 }
 
