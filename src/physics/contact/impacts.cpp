@@ -118,8 +118,7 @@ void ContactImpacts::push_freeze(std::uint32_t body, std::optional<double> time)
                  .body_version = paths_[body].version});
 }
 
-void ContactImpacts::run(World& world, std::span<const std::uint32_t> constraints,
-                         ContactHinges& hinges, std::vector<Contact>& contacts) {
+void ContactImpacts::run(World& world, ContactHinges& hinges, std::vector<Contact>& contacts) {
     paths_.begin();
     kinematics_.for_each_held_ball([&](std::uint32_t body) { paths_.add(body); });
     queue_.clear();
@@ -151,7 +150,7 @@ void ContactImpacts::run(World& world, std::span<const std::uint32_t> constraint
         }
     }
     hinges.give_back(paths_);
-    paths_.finish(world, constraints);
+    paths_.finish(world);
 }
 
 void ContactImpacts::turn_back_at_stops(const World& world, double now) {

@@ -54,8 +54,7 @@ class ContactImpacts {
     /// the substep, or a seesaw comes to a stop. If not, positions may simply advance.
     bool find();
     /// Moves the balls along their paths, with all impacts. Pre: `find` found something.
-    void run(World& world, std::span<const std::uint32_t> constraints, ContactHinges& hinges,
-             std::vector<Contact>& contacts);
+    void run(World& world, ContactHinges& hinges, std::vector<Contact>& contacts);
 
     void begin_tick() { paths_.begin_tick(); }
     std::span<const std::uint32_t> standing() const { return paths_.standing(); }

@@ -186,7 +186,29 @@ void ContactPaths::freeze_at(std::uint32_t body, Vec2 normal, double now) {
 // has not felt what pushed the other one away from it: where the two separate faster than resting
 // contact does, that impulse would push again in the next substep. Where they do not, it is a load
 // that one of them still carries.
-void ContactPaths::reverse_undelivered_impulses(std::span<const std::uint32_t> constraints) const {
+void ContactPaths::reverse_undelivered_impulses() const {
+    for (const ContactPath& path : paths_) {
+        if (!keeps_impulses(path.body)) continue;
+        for (const std::uint32_t p : pairs_.of_body(path.body)) {
+            ContactPair& pair = pairs_[p];
+            if (pair.state != ContactState::constraint || pair.is_hinged) continue;
+            if (path.body == pair.a || !keeps_impulses(pair.a)) reverse_undelivered_impulse(pair);
+        }
+    }
+}
+
+// Whether constraints may keep impulses that this ball has not felt.
+bool ContactPaths::keeps_impulses(std::uint32_t body) const {
+    return has_path(body) && ((*this)[body].given < 1.0 || (*this)[body].rolls_on);
+}
+
+void ContactPaths::reverse_undelivered_impulse(ContactPair& constraint) const {
+    if (constraint.b == bodies_.fixed && has_path(constraint.a) && (*this)[constraint.a].rolls_on) {
+        // It has left this piece of the curve with all of the impulse, and meets it no more.
+        constraint.normal = {};
+        constraint.impulse = constraint.tangential_impulse = 0.0;
+        return;
+    }
     struct Share {
         double friction = 1.0;
         double impulse = 1.0;
@@ -199,30 +221,19 @@ void ContactPaths::reverse_undelivered_impulses(std::span<const std::uint32_t> c
     const auto velocity_then = [&](std::uint32_t body) {
         return has_path(body) ? velocity_at(body, step_.duration) : bodies_.body[body].velocity;
     };
-    for (const std::uint32_t p : constraints) {
-        ContactPair& constraint = pairs_[p];
-        if (constraint.b == bodies_.fixed && has_path(constraint.a) &&
-            (*this)[constraint.a].rolls_on) {
-            // It has left this piece of the curve with all of the impulse, and meets it no more.
-            constraint.normal = {};
-            constraint.impulse = constraint.tangential_impulse = 0.0;
-            continue;
-        }
-        const Share a = given(constraint.a);
-        const Share b = given(constraint.b);
-        const double share = std::min(a.impulse, b.impulse);
-        if (share < 1.0) {
-            const Vec2 relative = velocity_then(constraint.a) - velocity_then(constraint.b);
-            if (dot(relative, constraint.normal) >
-                contact_tolerance::most_excess * step_.rest_speed)
-                constraint.impulse *= share;
-        }
-        constraint.tangential_impulse *= std::min(a.friction, b.friction);
+    const Share a = given(constraint.a);
+    const Share b = given(constraint.b);
+    const double share = std::min(a.impulse, b.impulse);
+    if (share < 1.0) {
+        const Vec2 relative = velocity_then(constraint.a) - velocity_then(constraint.b);
+        if (dot(relative, constraint.normal) > contact_tolerance::most_excess * step_.rest_speed)
+            constraint.impulse *= share;
     }
+    constraint.tangential_impulse *= std::min(a.friction, b.friction);
 }
 
-void ContactPaths::finish(const World& world, std::span<const std::uint32_t> constraints) {
-    reverse_undelivered_impulses(constraints);
+void ContactPaths::finish(const World& world) {
+    reverse_undelivered_impulses();
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i)
         if (!has_path(i) || (*this)[i].version == 0) bodies_.position[i] += bodies_.displacement[i];
     for (const ContactPath& path : paths_) {

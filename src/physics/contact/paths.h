@@ -64,9 +64,9 @@ class ContactPaths {
 
     /// Begins a substep: only held balls have paths.
     void begin();
-    /// Ends it: balls are where their paths lead. `constraints` keep only impulses that their balls
+    /// Ends it: balls are where their paths lead. Constraints keep only impulses that their balls
     /// have felt.
-    void finish(const World& world, std::span<const std::uint32_t> constraints);
+    void finish(const World& world);
 
     void add(std::uint32_t body);
     /// Adds the body and all balls in its pairs. References to paths become invalid.
@@ -118,7 +118,9 @@ class ContactPaths {
         return bodies_.is_ball(body) && place_[body] != none;
     }
     void note_given(ContactPath& path, double now) const;
-    void reverse_undelivered_impulses(std::span<const std::uint32_t> constraints) const;
+    void reverse_undelivered_impulses() const;
+    bool keeps_impulses(std::uint32_t body) const;
+    void reverse_undelivered_impulse(ContactPair& constraint) const;
 
     const ContactSubstep& step_;
     ContactBodies& bodies_;

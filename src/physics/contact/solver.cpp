@@ -107,7 +107,7 @@ void ContactSolver::substep(World& world, double share_of_displacement,
         constraints_.solve(round % 2 == 0);
     const bool has_impacts = impacts_.find();
     if (has_impacts)
-        impacts_.run(world, classification_.constraints(), hinges_, contacts);
+        impacts_.run(world, hinges_, contacts);
     else
         advance_positions(world);
     constraints_.relax(impacts_.most_push(), has_impacts);
