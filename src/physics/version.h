@@ -61,9 +61,11 @@ namespace carom {
 ///   costs.
 /// 6:
 /// - `event`: what the stop speed or the speed limit changes goes on counting its collisions, and
-/// slow
-///   pairs meet once they have sunk in, whatever accelerates them. Position correction pushes no
-///   ball into an edge, however far from the origin.
+///   slow pairs meet once they have sunk in, whatever accelerates them. Position correction pushes
+///   no ball into an edge, however far from the origin.
+/// - `contact`: only balls that might leave their skins get new reference positions, so constraints
+///   are solved in another order. Impacts are searched where something has moved a ball off its
+///   free flight.
 inline constexpr int physics_version = 6;
 
 }  // namespace carom

@@ -23,7 +23,7 @@ struct Range {
 // Some of the balls along one axis, in ascending order. Pre: there are balls.
 class Sample {
   public:
-    Sample(const std::vector<Vec2>& positions, double Vec2::*axis)
+    Sample(std::span<const Vec2> positions, double Vec2::*axis)
         : count_(std::min(places_.size(), positions.size())) {
         for (std::size_t i = 0; i < count_; ++i)
             places_[i] = positions[i * positions.size() / count_].*axis;
@@ -94,7 +94,7 @@ CellFrame cells_over(CellFrame frame, Vec2 extent, double side, double points,
 
 }  // namespace
 
-CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cells_a_point) {
+CellFrame frame_around(std::span<const Vec2> points, double cell, double cells_a_point) {
     if (points.empty()) return {};
     CellFrame frame;
     const Range across = most_of(Sample(points, &Vec2::x));

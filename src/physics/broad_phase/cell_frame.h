@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/shapes.h"
@@ -55,7 +56,7 @@ struct CellFrame {
 CellFrame frame_around(const World& world, double cell, double cells_a_ball = 4.0);
 
 /// A frame around most of the points, on a plane; cells as above.
-CellFrame frame_around(const std::vector<Vec2>& points, double cell, double cells_a_point = 4.0);
+CellFrame frame_around(std::span<const Vec2> points, double cell, double cells_a_point = 4.0);
 
 /// Rough area a ball, where most of them are, length^2; 0 without balls.
 double area_per_ball(const World& world);

@@ -1,173 +1,70 @@
 #include "physics/broad_phase/near_pairs.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "geometry/closest.h"
 
 namespace carom {
-namespace {
-
-// `value` rounded up to one of eight steps an octave, so that the cells seldom change.
-double rounded_to_eighth_of_octave(double value) {
-    if (!(value > 0.0) || !std::isfinite(value)) return 1.0;
-    int exponent = 0;
-    const double fraction = std::frexp(value, &exponent);
-    return std::ldexp(std::ceil(fraction * 16.0) / 16.0, exponent);
-}
-
-// The level of a region: the least n with reach <= base 2^n.
-int level_of(double reach, double base) {
-    const double share = reach / base;
-    if (share > 0.5 && share <= 1.0) return 0;
-    int exponent = 0;
-    const double fraction = std::frexp(share, &exponent);
-    return std::clamp(fraction == 0.5 ? exponent - 1 : exponent, -60, 60);
-}
-
-}  // namespace
-
-void NearPairs::sort(const World& world, const std::vector<Vec2>& place,
-                     const std::vector<double>& margin, std::vector<std::uint32_t>& order) {
+void NearPairs::find(const World& world, const Regions& regions) {
     wraps_ = world.model().wrap.has_value();
     torus_ = wraps_ ? size(*world.model().wrap) : Vec2{};
     filtered_ = world.model().filtered;
     used_ = 0;
-    order.resize(world.balls().size());
-    if (order.empty()) return;
-    sort_into_levels(world, place, margin);
-    sort_into_cells(place, order);
-}
-
-void NearPairs::find(const World& world, const Regions& regions) {
     pairs_.clear();
+    loose_.clear();
+    placed_.ball.resize(world.balls().size());
+    if (placed_.ball.empty()) return;
+    sort_into_levels(world, regions);
+    sort_into_cells(world, regions);
     for (std::size_t fine = 0; fine < used_; ++fine) {
         if (world.model().ball_ball) {
-            pair_within(world, regions, levels_[fine]);
+            pair_within(world, levels_[fine]);
             for (std::size_t coarse = fine + 1; coarse < used_; ++coarse)
-                pair_with_coarser(world, regions, levels_[fine], levels_[coarse]);
+                pair_with_coarser(world, levels_[fine], levels_[coarse]);
         }
-        if (world.model().ball_edge) pair_with_edges(world, regions, levels_[fine]);
+        if (world.model().ball_edge) pair_with_edges(world, levels_[fine]);
     }
 }
 
-void NearPairs::find(const World& world, const std::vector<double>& margin,
-                     std::vector<std::uint32_t>& order) {
-    sort(world, world.balls().position, margin, order);
-    center_.clear();
-    radius_.clear();
-    margin_.clear();
-    for (const std::uint32_t ball : order) {
-        center_.push_back(world.balls().position[ball]);
-        radius_.push_back(world.balls().radius[ball]);
-        margin_.push_back(margin[ball]);
-    }
-    find(world, {.ball = order, .center = center_, .radius = radius_, .margin = margin_});
-}
-
-// Where all regions are about as large as the mean one, one level holds all.
-void NearPairs::sort_into_levels(const World& world, const std::vector<Vec2>& place,
-                                 const std::vector<double>& margin) {
-    const std::size_t count = world.balls().size();
-    double sum = 0.0;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double reach = world.balls().radius[i] + margin[i];
-        sum += reach;
-        largest = std::max(largest, reach);
-    }
-    const double mean = sum / static_cast<double>(count);
-    const double base = rounded_to_eighth_of_octave(largest <= 1.6 * mean ? largest : 1.25 * mean);
-
-    constexpr int lowest = -60;
-    std::array<std::uint32_t, 121> balls_in{};
-    level_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        level_[i] =
-            static_cast<std::uint8_t>(level_of(world.balls().radius[i] + margin[i], base) - lowest);
-        ++balls_in[level_[i]];
-    }
-    std::array<std::uint8_t, 121> number{};
-    std::uint32_t cells = 0;
-    for (std::size_t l = 0; l < balls_in.size(); ++l) {
-        if (balls_in[l] == 0) continue;
-        number[l] = static_cast<std::uint8_t>(used_);
-        if (used_ == levels_.size()) levels_.emplace_back();
-        Level& level = levels_[used_++];
-        level.reach = std::ldexp(base, static_cast<int>(l) + lowest);
-        level.frame = wraps_ ? frame_around(world, 2.0 * level.reach)
-                             : frame_around(place, 2.0 * level.reach);
-        level.first = cells;
-        cells += static_cast<std::uint32_t>(level.frame.count());
-    }
-    for (std::uint8_t& l : level_)
-        l = number[l];
-    start_.assign(cells + 1, 0);
-    frame_ = levels_[0].frame;
-}
-
-void NearPairs::sort_into_cells(const std::vector<Vec2>& place, std::vector<std::uint32_t>& order) {
-    const std::size_t count = place.size();
-    cell_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Level& level = levels_[level_[i]];
-        const Vec2 at = place[i];
-        cell_[i] = level.first + level.frame.index(level.frame.column(at.x), level.frame.row(at.y));
-        ++start_[cell_[i] + 1];
-    }
-    for (std::size_t c = 1; c < start_.size(); ++c)
-        start_[c] += start_[c - 1];
-    // While they fill, cells begin where the next free place is, which in the end is where the next
-    // cell begins.
-    for (std::uint32_t i = 0; i < count; ++i)
-        order[start_[cell_[i]]++] = i;
-    std::copy_backward(start_.begin(), start_.end() - 1, start_.end());
-    start_[0] = 0;
-    for (std::size_t l = 0; l < used_; ++l) {
-        levels_[l].begin = start_[levels_[l].first];
-        levels_[l].end = start_[levels_[l].first + levels_[l].frame.count()];
-    }
-}
-
-// Notes those of the bodies first..last-1 whose regions touch that of i. They are found first,
-// without a branch that would be mispredicted.
-inline void NearPairs::consider(const World& world, const Regions& regions, std::uint32_t i,
-                                std::uint32_t first, std::uint32_t last) {
+// Calls note(place) for those of the places first..last-1 whose regions touch the given one. They
+// are found first, without a branch that would be mispredicted.
+template <typename Note>
+inline void NearPairs::touching(const Placed& placed, Vec2 center, double reach,
+                                std::uint32_t first, std::uint32_t last, Note&& note) {
     if (first >= last) return;
     if (touching_.size() < last - first) touching_.resize(last - first);
-    const Vec2 center = regions.center[i];
-    const double around = regions.radius[i] + regions.margin[i];
     std::uint32_t* const touching = touching_.data();
     std::size_t count = 0;
     for (std::uint32_t j = first; j < last; ++j) {
-        Vec2 offset = center - regions.center[j];
+        Vec2 offset = center - placed.center[j];
         if (wraps_) offset = nearest_image(offset, torus_);
-        const double reach = around + (regions.radius[j] + regions.margin[j]);
+        const double both = reach + placed.reach[j];
         touching[count] = j;
-        count += length_squared(offset) <= reach * reach ? 1 : 0;
+        count += length_squared(offset) <= both * both ? 1 : 0;
     }
     for (std::size_t k = 0; k < count; ++k)
-        note(world, regions, i, touching[k]);
+        note(touching[k]);
 }
 
-inline void NearPairs::note(const World& world, const Regions& regions, std::uint32_t i,
-                            std::uint32_t j) {
-    const std::uint32_t first = regions.ball[i];
-    const std::uint32_t second = regions.ball[j];
+inline void NearPairs::consider(const World& world, std::uint32_t place, std::uint32_t first,
+                                std::uint32_t last) {
+    touching(placed_, placed_.center[place], placed_.reach[place], first, last,
+             [&](std::uint32_t other) { note(world, placed_.ball[place], placed_.ball[other]); });
+}
+
+inline void NearPairs::note(const World& world, std::uint32_t first, std::uint32_t second) {
     if (filtered_ && !kinds_meet(world, world.balls().kind[first], world.balls().kind[second]))
         return;
-    const bool in_order = first < second;
-    pairs_.push_back({.a = in_order ? i : j, .b = in_order ? j : i});
+    pairs_.push_back({.a = std::min(first, second), .b = std::max(first, second)});
 }
 
 // Finds each pair once: a ball is compared with those after it in its row of cells, and with the
 // row above.
-void NearPairs::pair_within(const World& world, const Regions& regions, const Level& level) {
+void NearPairs::pair_within(const World& world, const Level& level) {
     const CellFrame& frame = level.frame;
-    const std::uint32_t* start = start_.data() + level.first;
+    const std::uint32_t* start = placed_.start.data() + level.first;
     if (wraps_) {
-        pair_with_coarser(world, regions, level, level);
+        pair_with_coarser(world, level, level);
         return;
     }
     for (int row = 0; row < frame.rows; ++row) {
@@ -182,36 +79,34 @@ void NearPairs::pair_within(const World& world, const Regions& regions, const Le
                 above_end = start[frame.index(last, row + 1) + 1];
             }
             for (std::uint32_t i = start[cell]; i < start[cell + 1]; ++i) {
-                consider(world, regions, i, i + 1, row_end);
-                consider(world, regions, i, above, above_end);
+                consider(world, i, i + 1, row_end);
+                consider(world, i, above, above_end);
             }
         }
     }
 }
 
-void NearPairs::pair_with_coarser(const World& world, const Regions& regions, const Level& level,
-                                  const Level& coarser) {
+void NearPairs::pair_with_coarser(const World& world, const Level& level, const Level& coarser) {
     const CellFrame& frame = coarser.frame;
     const bool same = &level == &coarser;
-    const std::uint32_t* start = start_.data() + coarser.first;
+    const std::uint32_t* start = placed_.start.data() + coarser.first;
     const int across = frame.wraps ? std::min(3, frame.columns) : 3;
     const int along = frame.wraps ? std::min(3, frame.rows) : 3;
     if (!frame.wraps) {
         for (std::uint32_t i = level.begin; i < level.end; ++i) {
-            const int column = frame.column(regions.center[i].x);
-            const int row = frame.row(regions.center[i].y);
+            const int column = frame.column(placed_.center[i].x);
+            const int row = frame.row(placed_.center[i].y);
             const int left = std::max(column - 1, 0);
             const int right = std::min(column + 1, frame.columns - 1);
             for (int y = std::max(row - 1, 0); y <= std::min(row + 1, frame.rows - 1); ++y) {
-                consider(world, regions, i, start[frame.index(left, y)],
-                         start[frame.index(right, y) + 1]);
+                consider(world, i, start[frame.index(left, y)], start[frame.index(right, y) + 1]);
             }
         }
         return;
     }
     for (std::uint32_t i = level.begin; i < level.end; ++i) {
-        const int column = frame.column(regions.center[i].x);
-        const int row = frame.row(regions.center[i].y);
+        const int column = frame.column(placed_.center[i].x);
+        const int row = frame.row(placed_.center[i].y);
         for (int dy = 0; dy < along; ++dy) {
             int y = row - 1 + dy;
             y = frame.bounded(y, frame.rows);
@@ -220,37 +115,107 @@ void NearPairs::pair_with_coarser(const World& world, const Regions& regions, co
                 x = frame.bounded(x, frame.columns);
                 const std::uint32_t cell = frame.index(x, y);
                 const std::uint32_t first = same ? std::max(start[cell], i + 1) : start[cell];
-                consider(world, regions, i, first, start[cell + 1]);
+                consider(world, i, first, start[cell + 1]);
             }
         }
     }
 }
 
-void NearPairs::pair_with_edges(const World& world, const Regions& regions, Level& level) {
+void NearPairs::pair_with_edges(const World& world, Level& level) {
     // The level's cells hold the edges that reach the largest of its regions.
     level.edges.update(world, level.frame, level.reach);
-    const std::uint32_t* start = start_.data() + level.first;
+    const std::uint32_t* start = placed_.start.data() + level.first;
     for (const std::uint32_t cell : level.edges.occupied())
         for (std::uint32_t i = start[cell]; i < start[cell + 1]; ++i)
             for (const CapsuleEntry entry : level.edges.in_cell(cell))
-                pair_with_edge(world, regions, i, entry);
+                pair_with_edge(world, placed_.ball[i], placed_.center[i], placed_.reach[i], entry);
 }
 
-inline void NearPairs::pair_with_edge(const World& world, const Regions& regions, std::uint32_t i,
-                                      const CapsuleEntry& entry) {
-    if (filtered_ && !kind_meets_material(world, world.balls().kind[regions.ball[i]],
+inline void NearPairs::pair_with_edge(const World& world, std::uint32_t ball, Vec2 center,
+                                      double reach, const CapsuleEntry& entry) {
+    if (filtered_ && !kind_meets_material(world, world.balls().kind[ball],
                                           world.capsules().material[entry.index]))
         return;
     const Capsule& shape = world.capsules().shape[entry.index];
-    const Vec2 at = regions.center[i] - Vec2{entry.across * torus_.x, entry.along * torus_.y};
-    const double reach = (regions.radius[i] + regions.margin[i]) + shape.radius;
+    const Vec2 at = center - Vec2{entry.across * torus_.x, entry.along * torus_.y};
+    const double both = reach + shape.radius;
     const Vec2 offset = at - closest_point(shape.start, shape.end, at);
-    if (length_squared(offset) > reach * reach) return;
-    pairs_.push_back({.a = i,
-                      .b = static_cast<std::uint32_t>(regions.ball.size()),
+    if (length_squared(offset) > both * both) return;
+    pairs_.push_back({.a = ball,
+                      .b = static_cast<std::uint32_t>(placed_.ball.size()),
                       .edge = entry.index,
                       .across = entry.across,
                       .along = entry.along});
+}
+
+bool NearPairs::is_cheaper_anew(const World& world, const Regions& regions,
+                                std::span<const std::uint32_t> moved) const {
+    if (used_ == 0 || 2 * (loose_.size() + moved.size()) > placed_.ball.size()) return true;
+    const double largest = levels_[used_ - 1].reach;
+    return std::ranges::any_of(moved, [&](std::uint32_t ball) {
+        return world.balls().radius[ball] + regions.margin[ball] > largest;
+    });
+}
+
+void NearPairs::find_moved(const World& world, const Regions& regions,
+                           std::span<const std::uint32_t> moved) {
+    has_moved_.resize(world.balls().size(), 0);
+    for (const std::uint32_t ball : moved)
+        has_moved_[ball] = 1;
+    if (is_cheaper_anew(world, regions, moved)) {
+        find(world, regions);
+        std::erase_if(pairs_, [&](const NearPair& pair) {
+            return has_moved_[pair.a] == 0 &&
+                   (pair.edge != NearPair::no_edge || has_moved_[pair.b] == 0);
+        });
+    } else {
+        take_out(moved);
+        sort_loose(world, regions);
+        pairs_.clear();
+        for (const std::uint32_t ball : moved)
+            pair_moved(world, ball, regions.center[ball],
+                       world.balls().radius[ball] + regions.margin[ball]);
+    }
+    for (const std::uint32_t ball : moved)
+        has_moved_[ball] = 0;
+}
+
+void NearPairs::pair_moved(const World& world, std::uint32_t ball, Vec2 center, double reach) {
+    if (world.model().ball_ball) {
+        for (std::size_t l = 0; l < used_; ++l)
+            pair_moved_within(world, ball, center, reach, placed_, levels_[l].frame,
+                              levels_[l].first, levels_[l].reach);
+        pair_moved_within(world, ball, center, reach, placed_loose_, levels_[used_ - 1].frame, 0,
+                          largest_loose_);
+    }
+    if (!world.model().ball_edge) return;
+    std::size_t l = 0;
+    while (reach > levels_[l].reach)
+        ++l;
+    const CellFrame& frame = levels_[l].frame;
+    const std::uint32_t cell = frame.index(frame.column(center.x), frame.row(center.y));
+    for (const CapsuleEntry entry : levels_[l].edges.in_cell(cell))
+        pair_with_edge(world, ball, center, reach, entry);
+}
+
+// With the balls of some cells whose regions have radii of at most `largest`. A pair of two balls
+// that have both moved is found from the lower one.
+void NearPairs::pair_moved_within(const World& world, std::uint32_t ball, Vec2 center, double reach,
+                                  const Placed& placed, const CellFrame& frame,
+                                  std::uint32_t first_cell, double largest) {
+    // Slightly more, since the numbers of cells are rounded.
+    const double around = 1.000001 * (reach + largest);
+    const int left = frame.column(center.x - around);
+    const int right = frame.column(center.x + around);
+    const int top = frame.row(center.y + around);
+    const std::uint32_t* const start = placed.start.data() + first_cell;
+    for (int row = frame.row(center.y - around); row <= top; ++row)
+        touching(placed, center, reach, start[frame.index(left, row)],
+                 start[frame.index(right, row) + 1], [&](std::uint32_t place) {
+                     const std::uint32_t other = placed.ball[place];
+                     if (has_moved_[other] != 0 && other <= ball) return;
+                     note(world, ball, other);
+                 });
 }
 
 }  // namespace carom

@@ -20,43 +20,52 @@ namespace carom {
 struct NearPair {
     static constexpr std::uint32_t no_edge = 0xffffffffu;
 
-    std::uint32_t a = 0;           ///< a body: by place in the order of NearPairs::sort
-    std::uint32_t b = 0;           ///< another body; for an edge the number of balls
+    std::uint32_t a = 0;           ///< index of a ball
+    std::uint32_t b = 0;           ///< a ball of higher index; for an edge the number of balls
     std::uint32_t edge = no_edge;  ///< index of the capsule
     std::int8_t across = 0;        ///< periodic image index of the capsule on a torus
     std::int8_t along = 0;
 };
 
-/// The regions of the balls, in the order of NearPairs::sort.
+/// The regions of the balls, by index. The centre is inside the torus, if there is one; the radius
+/// is that of the ball, plus how far its centre may go.
 struct Regions {
-    std::span<const std::uint32_t> ball;  ///< index in the world
     std::span<const Vec2> center;
-    std::span<const double> radius;  ///< of the ball
-    std::span<const double> margin;  ///< how far its centre may go
+    std::span<const double> margin;  ///< how far the ball's centre may go
 };
 
 class NearPairs {
   public:
-    /// Puts the balls' indices in the order of the cells: balls that are near in it are mostly near
-    /// in the plane. By ball, `place`: the centre of its region (inside the torus, if there is
-    /// one); `margin`: how far the ball's centre may go from there.
-    void sort(const World& world, const std::vector<Vec2>& place, const std::vector<double>& margin,
-              std::vector<std::uint32_t>& order);
-
     /// Finds all pairs. Kinds that do not meet (Model::filtered) are left out, and so are held
-    /// capsules. Of two balls, a has the lower number. Pre: `regions` are those that `sort` was
-    /// given, in its order.
+    /// capsules. Which pairs there are depends on the regions alone; their order is arbitrary, but
+    /// a function of the world and the regions.
     void find(const World& world, const Regions& regions);
+    /// The same around where the balls are.
+    void find(const World& world, std::span<const double> margin) {
+        find(world, {world.balls().position, margin});
+    }
 
-    /// Sorts and finds, with regions around where the balls are.
-    void find(const World& world, const std::vector<double>& margin,
-              std::vector<std::uint32_t>& order);
+    /// After `find`, the regions of `moved` (indices, each once) have changed: replaces `pairs` by
+    /// those pairs in which one of these balls is. Costs little while few balls have moved since
+    /// `find`, and none has a larger region than any had. Pre: besides, the world is as it was for
+    /// `find`, but for motion; it is no torus.
+    void find_moved(const World& world, const Regions& regions,
+                    std::span<const std::uint32_t> moved);
 
-    const std::vector<NearPair>& pairs() const { return pairs_; }
-    std::vector<NearPair>& pairs() { return pairs_; }
+    std::span<const NearPair> pairs() const { return pairs_; }
+    /// Indices of the balls, cell by cell, as of the last `find`: balls that are near in it are
+    /// mostly near in the plane.
+    std::span<const std::uint32_t> order() const { return placed_.ball; }
     const CellFrame& frame() const { return frame_; }
 
   private:
+    /// Balls in the order of some cells.
+    struct Placed {
+        std::vector<std::uint32_t> ball;
+        std::vector<Vec2> center;
+        std::vector<double> reach;         ///< radius of the region
+        std::vector<std::uint32_t> start;  ///< by cell: its first place
+    };
     /// Cells of one size. Regions in it have at most half the side of a cell.
     struct Level {
         CellFrame frame;
@@ -67,30 +76,41 @@ class NearPairs {
         CapsuleCells edges;
     };
 
-    void sort_into_levels(const World& world, const std::vector<Vec2>& place,
-                          const std::vector<double>& margin);
-    void sort_into_cells(const std::vector<Vec2>& place, std::vector<std::uint32_t>& order);
-    void pair_within(const World& world, const Regions& regions, const Level& level);
-    void pair_with_coarser(const World& world, const Regions& regions, const Level& level,
-                           const Level& coarser);
-    void pair_with_edges(const World& world, const Regions& regions, Level& level);
-    void pair_with_edge(const World& world, const Regions& regions, std::uint32_t i,
+    void sort_into_levels(const World& world, const Regions& regions);
+    void sort_into_cells(const World& world, const Regions& regions);
+    void pair_within(const World& world, const Level& level);
+    void pair_with_coarser(const World& world, const Level& level, const Level& coarser);
+    void pair_with_edges(const World& world, Level& level);
+    void pair_with_edge(const World& world, std::uint32_t ball, Vec2 center, double reach,
                         const CapsuleEntry& entry);
-    void consider(const World& world, const Regions& regions, std::uint32_t i, std::uint32_t first,
-                  std::uint32_t last);
-    void note(const World& world, const Regions& regions, std::uint32_t i, std::uint32_t j);
+    template <typename Note>
+    void touching(const Placed& placed, Vec2 center, double reach, std::uint32_t first,
+                  std::uint32_t last, Note&& note);
+    void consider(const World& world, std::uint32_t place, std::uint32_t first, std::uint32_t last);
+    void note(const World& world, std::uint32_t first, std::uint32_t second);
+    bool is_cheaper_anew(const World& world, const Regions& regions,
+                         std::span<const std::uint32_t> moved) const;
+    void take_out(std::span<const std::uint32_t> moved);
+    void sort_loose(const World& world, const Regions& regions);
+    void pair_moved(const World& world, std::uint32_t ball, Vec2 center, double reach);
+    void pair_moved_within(const World& world, std::uint32_t ball, Vec2 center, double reach,
+                           const Placed& placed, const CellFrame& frame, std::uint32_t first_cell,
+                           double largest);
 
     std::vector<Level> levels_;  // from fine to coarse; only the first used_ count
     std::size_t used_ = 0;
-    std::vector<std::uint8_t> level_;   // by ball
-    std::vector<std::uint32_t> cell_;   // by ball, among all cells of all levels
-    std::vector<std::uint32_t> start_;  // by cell: its first place in the order
+    std::vector<std::uint8_t> level_;  // by ball
+    std::vector<std::uint32_t> cell_;  // by ball, among all cells of all levels
+    Placed placed_;
+    // Balls that have moved since `find`, in cells of their own.
+    std::vector<std::uint32_t> place_;     // by ball: in placed_
+    std::vector<std::uint32_t> loose_;     // balls
+    std::vector<std::uint8_t> is_loose_;   // by ball
+    std::vector<std::uint8_t> has_moved_;  // by ball: in this call
+    Placed placed_loose_;
+    double largest_loose_ = 0.0;
     std::vector<std::uint32_t> touching_;
     std::vector<NearPair> pairs_;
-    // Regions, for callers that have none.
-    std::vector<Vec2> center_;
-    std::vector<double> radius_;
-    std::vector<double> margin_;
     Vec2 torus_;
     bool wraps_ = false;
     bool filtered_ = false;

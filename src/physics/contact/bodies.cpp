@@ -52,6 +52,7 @@ void ContactBodies::load(const World& world) {
     const ReferencePositions& stored = contact_memory(world).reference;
     const std::size_t count = balls.size();
     fixed = static_cast<std::uint32_t>(count);
+    ball = stored.order;
     position.resize(count);
     reference.resize(count);
     radius.resize(count);

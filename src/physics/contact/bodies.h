@@ -60,7 +60,7 @@ struct ContactBody {
 struct ContactBodies {
     std::uint32_t fixed = 0;  ///< also the number of balls
     double smallest_radius = 0.0;
-    std::vector<std::uint32_t> ball;  ///< index in the world
+    std::vector<std::uint32_t> ball;  ///< index in the world (ReferencePositions::order)
     std::vector<Vec2> position;
     std::vector<Vec2> reference;  ///< Verlet reference position
     std::vector<double> skin;     ///< how far the centre may be from there
@@ -73,7 +73,7 @@ struct ContactBodies {
     bool is_ball(std::uint32_t b) const { return b < fixed; }
     bool is_kinematic(std::uint32_t b) const { return body[b].inverse_mass == 0.0; }
 
-    /// Everything anew, from World and its reference positions. Pre: `ball` is filled in.
+    /// Everything anew, from World and its reference positions. Pre: these have an order.
     void load(const World& world);
     /// Positions and velocities alone. Pre: radii, masses, reference positions and skins are those
     /// of the last tick.
@@ -131,6 +131,12 @@ struct ContactPair {
 
     bool is_on_edge() const { return edge != NearPair::no_edge; }
 };
+
+/// At the end of a tick: a pair that does not press is reported anew when it does.
+inline void forget_unless_pressing(ContactPair& pair) {
+    pair.is_new = !(pair.impulse > 0.0);
+    if (pair.is_new) pair.impulse = pair.tangential_impulse = 0.0;
+}
 
 /// The overlap at which two bodies stop, however hard they are pressed together.
 double overlap_bound(const ContactPair& pair);

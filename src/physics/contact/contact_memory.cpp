@@ -19,6 +19,7 @@ void ContactMemory::add_contacts_to(Hash& hash, int version) const {
         hash.add(reference.ball);
         hash.add(reference.position);
         hash.add(reference.skin);
+        if (!reference.order.empty()) hash.add(reference.order);
         if (stored_energy != 0.0) hash.add(stored_energy);
         return;
     }
@@ -43,7 +44,8 @@ std::size_t ContactMemory::bytes() const {
     return sizeof(ContactMemory) + contacts.capacity() * sizeof(PersistentContact) +
            reference.ball.capacity() * sizeof(BallId) +
            reference.position.capacity() * sizeof(Vec2) +
-           reference.skin.capacity() * sizeof(double);
+           reference.skin.capacity() * sizeof(double) +
+           reference.order.capacity() * sizeof(std::uint32_t);
 }
 
 const ContactMemory& contact_memory(const World& world) {

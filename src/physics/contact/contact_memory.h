@@ -32,10 +32,12 @@ struct PersistentContact {
 /// just these balls.
 struct ReferencePositions {
     std::vector<BallId> ball;
-    std::vector<Vec2> position;  ///< by index: of the ball's centre
-    std::vector<double> skin;    ///< by index, length
+    std::vector<Vec2> position;        ///< by index: of the ball's centre
+    std::vector<double> skin;          ///< by index, length
+    std::vector<std::uint32_t> order;  ///< indices, in the order in which the solver keeps balls
 
     void clear() {
+        order.clear();
         ball.clear();
         position.clear();
         skin.clear();

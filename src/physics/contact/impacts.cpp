@@ -28,7 +28,10 @@ void ContactImpacts::find_displacements() {
     const Vec2 drop = step_.gravity * flight.travel_per_gravity;
     const double full = contact_tolerance::full_press * length(fall);
     escaped_.clear();
+    pushed_.clear();
     double most = 0.0;
+    // A pair in which no ball is moved further off its free flight cannot meet because of it.
+    const double far = 0.5 * closing_gap(bodies_);
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
         const Vec2 velocity = bodies_.body[i].velocity;
         const Vec2 before = bodies_.start_velocity[i];
@@ -37,14 +40,15 @@ void ContactImpacts::find_displacements() {
         if (change == Vec2{}) {
             displacement = before * flight.travel_per_velocity + drop;
         } else {
+            const Vec2 flown = before * flight.travel_per_velocity + drop;
             displacement = velocity * step_.duration;
             const double press = length_squared(change);
             most = std::max(most, press);
             if (press < full * full && has_far_fall(step_, bodies_, i)) {
-                const Vec2 flown = before * flight.travel_per_velocity + drop;
                 const Vec2 pushed = flown + change * step_.duration;
                 displacement = pushed + (displacement - pushed) * (std::sqrt(press) / full);
             }
+            if (length_squared(displacement - flown) > far * far) pushed_.push_back(i);
         }
         const Vec2 away = bodies_.position[i] + displacement - bodies_.reference[i];
         if (length_squared(away) > bodies_.skin[i] * bodies_.skin[i]) escaped_.push_back(i);
@@ -69,18 +73,28 @@ void ContactImpacts::find_candidates() {
     };
     for (const std::uint32_t p : classification_.ccd())
         if (shrinks(pairs_[p]) > pairs_[p].separation) candidates_.push_back(p);
-    // Other pairs may collide only where constraints have pushed a ball far, or overlap deeply.
-    const bool may_sink_in = !step_.trusts_constraints() && !classification_.constraints().empty();
-    if (!may_sink_in && 2.0 * most_push_ <= closing_gap(bodies_) &&
-        classification_.deepest() >= -contact_tolerance::deep_overlap * bodies_.smallest_radius)
-        return;
-    for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
+    // Other pairs may collide only where something has moved a ball far off its free flight, or
+    // where they overlap deeply.
+    const bool may_sink_in =
+        (!step_.trusts_constraints() && !classification_.constraints().empty()) ||
+        classification_.deepest() < -contact_tolerance::deep_overlap * bodies_.smallest_radius;
+    const auto consider = [&](std::uint32_t p) {
         const ContactPair& pair = pairs_[p];
-        if (pair.state == ContactState::ccd) continue;
+        if (pair.state == ContactState::ccd) return;
         const double allowed =
             pair.state == ContactState::constraint ? soft_bound(step_, pair) : 0.0;
         if (shrinks(pair) > pair.separation + allowed) candidates_.push_back(p);
+    };
+    if (may_sink_in || 4 * pushed_.size() > bodies_.fixed) {
+        for (std::uint32_t p = 0; p < pairs_.size(); ++p)
+            consider(p);
+        return;
     }
+    if (pushed_.empty()) return;
+    pairs_.list_by_body(bodies_);
+    for (const std::uint32_t body : pushed_)
+        for (const std::uint32_t p : pairs_.of_body(body))
+            consider(p);
 }
 
 // Impacts cannot part a crowd of balls inside one another: each of them pushes others further in,

@@ -103,6 +103,7 @@ class ContactImpacts {
     ImpactQueue<ContactEvent> queue_;
     std::vector<std::uint32_t> candidates_;  // pairs that may collide in the substep
     std::vector<std::uint8_t> is_embedded_;  // by ball; or empty
+    std::vector<std::uint32_t> pushed_;      // bodies off their free flight by over half a gap
     std::vector<std::uint32_t> escaped_;     // bodies whose displacement leads out of their skins
     std::vector<BodyPair> of_balls_;         // that have collided with one another
     double most_push_ = 0.0;

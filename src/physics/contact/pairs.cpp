@@ -1,6 +1,7 @@
 #include "physics/contact/pairs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "physics/contact/reference_positions.h"
 #include "physics/contact/tolerances.h"
@@ -19,41 +20,44 @@ bool are_far_apart(double inverse_of_a, double inverse_of_b) {
 
 }  // namespace
 
-void ContactPairs::sort(const World& world, ContactBodies& bodies) {
-    const ReferencePositions& reference = contact_memory(world).reference;
-    near_.sort(world, reference.position, reference.skin, bodies.ball);
-}
-
-void ContactPairs::find(const World& world, const ContactBodies& bodies) {
-    near_.find(world, {.ball = bodies.ball,
-                       .center = bodies.reference,
-                       .radius = bodies.radius,
-                       .margin = bodies.skin});
+void ContactPairs::find(World& world) {
+    ReferencePositions& reference = SolverAccess(world).memory().use<ContactMemory>().reference;
+    near_.find(world, {reference.position, reference.skin});
+    if (reference.order.empty()) reference.order.assign(near_.order().begin(), near_.order().end());
+    body_of_.resize(reference.order.size());
+    for (std::uint32_t body = 0; body < body_of_.size(); ++body)
+        body_of_[reference.order[body]] = body;
 }
 
 void ContactPairs::load(const World& world, const ContactSubstep& step, ContactBodies& bodies,
                         std::span<const HeldEdge> edges) {
-    any_inelastic_ = false;
-    is_listed_by_body_ = false;
-    std::vector<NearPair>& near = near_.pairs();
+    rows_.assign(near_.pairs(), body_of_);
     if (!world.held_balls().empty())
-        std::erase_if(near, [&](const NearPair& pair) {
+        rows_.erase_if([&](const NearPair& pair) {
             return bodies.is_ball(pair.b) && bodies.is_kinematic(pair.a) &&
                    bodies.is_kinematic(pair.b);
         });
     for (const HeldEdge& edge : edges)
         add_pairs_of_edge(world, bodies, edge);
+    const std::span<const NearPair> near = rows_.pairs();
     if (pairs_.capacity() < near.size()) pairs_.reserve(near.size() + near.size() / 8);
     pairs_.resize(near.size());
     const std::span<const PersistentContact> last = contact_memory(world).contacts;
     index_impulses(world, bodies, last);
     order_.arrange(near, bodies.reference, step.gravity);
-    kinematic_.clear();
-    for (std::uint32_t p = 0; p < near.size(); ++p) {
+    for (std::uint32_t p = 0; p < near.size(); ++p)
         pairs_[p] = pair_of(world, bodies, near[order_[p]], last);
-        any_inelastic_ = any_inelastic_ || pairs_[p].is_inelastic;
-        if (pairs_[p].is_kinematic) kinematic_.push_back(p);
-    }
+    any_inelastic_ = false;
+    is_listed_by_body_ = false;
+    kinematic_.clear();
+    added_.clear();
+    for (std::uint32_t p = 0; p < near.size(); ++p)
+        note_kind(p);
+}
+
+void ContactPairs::note_kind(std::uint32_t p) {
+    any_inelastic_ = any_inelastic_ || pairs_[p].is_inelastic;
+    if (pairs_[p].is_kinematic) kinematic_.push_back(p);
 }
 
 ContactPair ContactPairs::pair_of(const World& world, const ContactBodies& bodies,
@@ -109,7 +113,7 @@ void ContactPairs::add_pairs_of_edge(const World& world, ContactBodies& bodies,
         if (!kind_meets_material(world, world.balls().kind[bodies.ball[i]],
                                  world.capsules().material[edge.capsule]))
             continue;
-        near_.pairs().push_back(
+        rows_.append(
             {.a = i, .b = static_cast<std::uint32_t>(bodies.body.size()), .edge = edge.capsule});
         bodies.body.push_back({});
         bodies.start_velocity.push_back({});
@@ -161,11 +165,8 @@ void ContactPairs::store_impulses(World& world, const ContactBodies& bodies,
     }
     first_impulse_.assign(bodies.fixed + 1, 0);
     for (ContactPair& pair : pairs_) {
-        pair.is_new = !(pair.impulse > 0.0);
-        if (pair.is_new) {
-            pair.impulse = pair.tangential_impulse = 0.0;
-            continue;
-        }
+        forget_unless_pressing(pair);
+        if (pair.is_new) continue;
         ++first_impulse_[bodies.ball[pair.a] + 1];
         touched[bodies.ball[pair.a]] = 1;
         if (bodies.is_ball(pair.b)) touched[bodies.ball[pair.b]] = 1;
@@ -188,24 +189,20 @@ void ContactPairs::store_impulses(World& world, const ContactBodies& bodies,
     }
 }
 
-// From the near pairs, which take less memory than the pairs themselves.
 void ContactPairs::list_by_body(const ContactBodies& bodies) {
     if (is_listed_by_body_) return;
     is_listed_by_body_ = true;
-    begin_.assign(bodies.fixed + 2, 0);
-    const std::vector<NearPair>& near = near_.pairs();
-    for (const NearPair& pair : near) {
-        ++begin_[pair.a + 2];
-        if (bodies.is_ball(pair.b)) ++begin_[pair.b + 2];
-    }
-    for (std::size_t i = 2; i < begin_.size(); ++i)
-        begin_[i] += begin_[i - 1];
-    by_body_.resize(begin_.back());
-    for (std::uint32_t p = 0; p < near.size(); ++p) {
-        const NearPair& pair = near[order_[p]];
-        by_body_[begin_[pair.a + 1]++] = p;
-        if (bodies.is_ball(pair.b)) by_body_[begin_[pair.b + 1]++] = p;
-    }
+    first_link_.assign(bodies.fixed, PairChain::none);
+    next_link_.resize(2 * pairs_.size());
+    for (std::uint32_t p = size(); p-- > 0;)
+        link(p, bodies);
+}
+
+void ContactPairs::link(std::uint32_t p, const ContactBodies& bodies) {
+    const ContactPair& pair = pairs_[p];
+    next_link_[2 * p] = std::exchange(first_link_[pair.a], 2 * p);
+    if (bodies.is_ball(pair.b))
+        next_link_[2 * p + 1] = std::exchange(first_link_[pair.b], 2 * p + 1);
 }
 
 }  // namespace carom

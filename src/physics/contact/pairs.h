@@ -1,31 +1,64 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "physics/contact/bodies.h"
 #include "physics/contact/constraint_order.h"
 #include "physics/contact/contact_memory.h"
+#include "physics/contact/pair_rows.h"
 #include "physics/tick/kinematic.h"
 
 namespace carom {
 
+/// The pairs of a ball, linked. A link is twice the index of a pair, and for its b one more.
+class PairChain {
+  public:
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    PairChain(const std::uint32_t* next, std::uint32_t link) : next_(next), link_(link) {}
+    PairChain begin() const { return *this; }
+    static std::default_sentinel_t end() { return {}; }
+    std::uint32_t operator*() const { return link_ / 2; }
+    PairChain& operator++() {
+        link_ = next_[link_];
+        return *this;
+    }
+    bool operator==(std::default_sentinel_t) const { return link_ == none; }
+
+  private:
+    const std::uint32_t* next_;
+    std::uint32_t link_;
+};
+
 /// The pairs of the solver `contact`: all that could meet while every ball stays within its skin,
 /// in the order in which constraints are solved, with the impulses of the last tick.
 ///
-/// A tick calls `sort`, ContactBodies::load, `find`, ContactKinematics::load and `load`, in this
-/// order. The result depends on the world alone.
+/// A solver that has no pairs yet calls `find`, ContactBodies::load, ContactKinematics::load and
+/// `load`, in this order. One that has them calls `update`. Both give the same pairs in the same
+/// order, which depends on the world alone.
 class ContactPairs {
   public:
-    /// Fills in `bodies.ball`: the balls cell by cell.
-    void sort(const World& world, ContactBodies& bodies);
-    /// Finds the pairs of balls, and of balls and edges that nobody holds.
-    void find(const World& world, const ContactBodies& bodies);
+    /// Finds the pairs of balls, and of balls and edges that nobody holds. Gives the balls an order
+    /// (ReferencePositions::order), unless they have one: cell by cell.
+    void find(World& world);
     /// Adds the pairs of kinematic edges, each with a body of its own; orders the pairs; takes over
     /// the impulses of ContactMemory::contacts.
     void load(const World& world, const ContactSubstep& step, ContactBodies& bodies,
               std::span<const HeldEdge> edges);
+    /// The balls of `moved` (bodies) have new reference positions: adds the pairs that they form
+    /// now behind the others, until `update`. Pre, here and there: nothing is held, and the scene
+    /// is no torus.
+    void add(const World& world, const ContactBodies& bodies, std::span<const std::uint32_t> moved);
+    /// Finds the pairs of the balls of `moved`, and of those since the last `update`, and orders
+    /// all pairs. Pairs keep their impulses.
+    void update(const World& world, const ContactSubstep& step, const ContactBodies& bodies,
+                std::span<const std::uint32_t> moved);
+    /// Whether there are pairs that are not in order yet.
+    bool has_added() const { return !added_.empty(); }
 
     /// Writes ContactMemory::contacts: every pair that presses, ascending by its first ball. Marks
     /// their balls in `touched` (by index in the world).
@@ -45,13 +78,26 @@ class ContactPairs {
     /// Pre for `of_body`: lists the pairs by ball, unless that is done already.
     void list_by_body(const ContactBodies& bodies);
     /// Indices of the pairs of a ball.
-    std::span<const std::uint32_t> of_body(std::uint32_t body) const {
-        return std::span(by_body_).subspan(begin_[body], begin_[body + 1] - begin_[body]);
-    }
+    PairChain of_body(std::uint32_t body) const { return {next_link_.data(), first_link_[body]}; }
 
     const CellFrame& frame() const { return near_.frame(); }
 
   private:
+    /// What tells pairs of bodies apart.
+    using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::int8_t, std::int8_t>;
+    struct Known {
+        Key key;
+        std::uint32_t pair = 0;  ///< index
+    };
+
+    void find_moved(const World& world, const ContactBodies& bodies,
+                    std::span<const std::uint32_t> moved);
+    bool is_of_moved(const ContactPair& pair, const ContactBodies& bodies) const;
+    void sort_known();
+    const Known* known(const Key& key) const;
+    void carry_over(const World& world, const ContactBodies& bodies);
+    void link(std::uint32_t p, const ContactBodies& bodies);
+    void note_kind(std::uint32_t p);
     ContactPair pair_of(const World& world, const ContactBodies& bodies, const NearPair& near,
                         std::span<const PersistentContact> last) const;
     void add_pairs_of_edge(const World& world, ContactBodies& bodies, const HeldEdge& edge);
@@ -62,14 +108,24 @@ class ContactPairs {
                                           std::span<const PersistentContact> last) const;
 
     NearPairs near_;
+    PairRows rows_;
     ConstraintOrder order_;
+    std::vector<std::uint32_t> body_of_;  // by ball
     std::vector<ContactPair> pairs_;
     std::vector<std::uint32_t> kinematic_;
     std::vector<std::uint32_t> first_impulse_;  // by index of a ball: into ContactMemory::contacts
     bool any_inelastic_ = false;
     bool is_listed_by_body_ = false;
-    std::vector<std::uint32_t> begin_;  // by body, into by_body_
-    std::vector<std::uint32_t> by_body_;
+    std::vector<std::uint32_t> first_link_;  // by body
+    std::vector<std::uint32_t> next_link_;   // by link
+    std::vector<std::uint32_t> added_;       // bodies with new reference positions since `update`
+    // While pairs are added or updated.
+    std::vector<std::uint32_t> moved_;     // balls
+    std::vector<std::uint8_t> has_moved_;  // by body
+    std::vector<Known> known_;             // by key
+    std::vector<std::uint32_t> source_;    // by near pair: its index before
+    std::vector<std::uint32_t> turn_of_;   // by near pair, before
+    std::vector<ContactPair> before_;
 };
 
 }  // namespace carom

@@ -3,43 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "physics/contact/contact_memory.h"
 #include "physics/tick/kinematic.h"
-#include "physics/tick/totals.h"
 #include "physics/world/solver_access.h"
 
 namespace carom {
 namespace {
 
-// What the sizes of skins depend on.
-struct SkinTerms {
-    double tick = 0.0;     // s
-    double substep = 0.0;  // s
-    double fall = 0.0;     // length/s^2
-    double radii = 0.0;    // bound of a skin that lasts for a whole tick
-};
-
-// `hit`: what the ball needs if another one hits it, length.
-double skin_for(double speed, double radius, const SkinTerms& terms, double hit) {
-    const double whole = speed * terms.tick + terms.fall * terms.tick * terms.tick;
-    const double most = std::max(
-        terms.radii * radius, speed * terms.substep + terms.fall * terms.substep * terms.substep);
-    return std::max(1.25 * std::min(whole, most), hit) + 0.03 * radius;
-}
-
-// A few fast balls get large skins, so that not all pairs are found anew for their sake. Where
-// balls typically go further than their radius in a tick, such skins would overlap with crowds:
-// there they last for a substep.
-double most_radii(const World& world) {
-    return typical_travel_in_radii(world) > 1.0 ? 0.5 : 4.0;
-}
-
-// Whether a ball that is `away` from its reference position cannot leave its skin in the next
-// substep: (away + displacement)^2 <= 2 (away^2 + displacement^2).
-bool stays_within(Vec2 away, Vec2 velocity, double skin, const ContactSubstep& step) {
-    const double displacement = length(velocity) * step.duration + step.fall;
-    return 2.0 * (length_squared(away) + displacement * displacement) <= skin * skin;
+// Whether a ball may go that much further without leaving its skin.
+bool has_room(const ContactBodies& bodies, std::uint32_t i, double distance) {
+    const double room = bodies.skin[i] - distance;
+    return room >= 0.0 && length_squared(bodies.position[i] - bodies.reference[i]) <= room * room;
 }
 
 }  // namespace
@@ -50,65 +26,94 @@ bool is_pair_order_irrelevant(const World& world) {
            world.held_balls().empty() && world.held_capsules().empty();
 }
 
-void set_reference_positions(World& world, const ContactSubstep& step) {
+SkinSizes skin_sizes(const World& world, const ContactSubstep& step) {
     const Balls& balls = world.balls();
-    const SkinTerms terms{.tick = world.tick_length(),
-                          .substep = step.duration,
-                          .fall = length(step.gravity),
-                          .radii = most_radii(world)};
     double fastest = 0.0;
     double squares = 0.0;
+    double speeds = 0.0;
     double smallest = std::numeric_limits<double>::infinity();
+    double square_of_radii = 0.0;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        fastest = std::max(fastest, length_squared(balls.velocity[i]));
-        squares += length_squared(balls.velocity[i]);
+        const double square = length_squared(balls.velocity[i]);
+        const double speed = std::sqrt(square);
+        fastest = std::max(fastest, speed);
+        squares += square;
+        speeds += speed;
         smallest = std::min(smallest, balls.radius[i]);
+        square_of_radii += balls.radius[i] * balls.radius[i];
     }
-    fastest = std::sqrt(fastest);
-    // In a substep. A few very fast balls do not make all skins large, and in a gas hardly any ball
-    // becomes faster than this.
-    const double usual =
-        step.duration *
-        std::min(1.4 * fastest, 4.0 * std::sqrt(squares / static_cast<double>(balls.size())));
-    // Where it does not show when pairs are found, hits get more room, so that pairs mostly last
-    // for the tick.
-    const double roomy = is_pair_order_irrelevant(world)
-                             ? std::min(1.15 * fastest * terms.tick, 0.4 * smallest)
-                             : 0.0;
+    SkinSizes sizes{
+        .tick = world.tick_length(), .substep = step.duration, .fall = length(step.gravity)};
+    sizes.is_fast_crowd = std::sqrt(squares / square_of_radii) * sizes.tick > 1.0;
+    sizes.most_radii = sizes.is_fast_crowd ? 0.5 : 4.0;
+    const double mean = speeds / static_cast<double>(balls.size());
+    sizes.usual_hit = sizes.substep * std::min(1.4 * fastest, 4.5 * mean);
+    sizes.any_hit = 1.1 * fastest * sizes.substep;
+    if (is_pair_order_irrelevant(world))
+        sizes.roomy = std::min(1.15 * fastest * sizes.tick, 0.4 * smallest);
+    return sizes;
+}
+
+double SkinSizes::hit_of(double radius) const {
+    const double slight = 0.1 * radius;
+    return std::max(usual_hit > slight ? usual_hit : std::min(any_hit, slight), roomy);
+}
+
+double SkinSizes::of(double speed, double radius) const {
+    const double whole = speed * tick + fall * tick * tick;
+    const double most = std::max(most_radii * radius, speed * substep + fall * substep * substep);
+    return std::max(1.25 * std::min(whole, most), hit_of(radius)) + 0.03 * radius;
+}
+
+void set_reference_positions(World& world, const SkinSizes& sizes) {
+    const Balls& balls = world.balls();
     ReferencePositions& reference = SolverAccess(world).memory().use<ContactMemory>().reference;
     reference.ball = balls.id;
     reference.position = balls.position;
+    reference.order.clear();
     reference.skin.resize(balls.size());
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const double radius = balls.radius[i];
-        const double slight = std::min(1.1 * fastest * step.duration, 0.25 * radius);
-        const double hit = std::max(usual > 0.25 * radius ? usual : slight, roomy);
-        reference.skin[i] = skin_for(length(balls.velocity[i]), radius, terms, hit);
-    }
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        reference.skin[i] = sizes.of(length(balls.velocity[i]), balls.radius[i]);
     for (const HeldBall& held : world.held_balls())
         if (const auto index = index_of(world, held.id))
             reference.skin[*index] +=
                 length(displacement_to_target(world, held, balls.position[*index]));
 }
 
-bool has_valid_reference_positions(const World& world, const ContactSubstep& step) {
-    const ReferencePositions& reference = contact_memory(world).reference;
-    if (step.wraps || !world.held_balls().empty() || !world.held_capsules().empty()) return false;
-    if (reference.ball != world.balls().id) return false;
-    const Balls& balls = world.balls();
-    for (std::size_t i = 0; i < balls.size(); ++i)
-        if (!stays_within(balls.position[i] - reference.position[i], balls.velocity[i],
-                          reference.skin[i], step))
-            return false;
-    return true;
+void renew_reference_positions(World& world, const SkinSizes& sizes, ContactBodies& bodies,
+                               std::span<const std::uint32_t> which) {
+    ReferencePositions& reference = SolverAccess(world).memory().use<ContactMemory>().reference;
+    for (const std::uint32_t i : which) {
+        bodies.reference[i] = bodies.position[i];
+        bodies.skin[i] = sizes.of(length(bodies.body[i].velocity), bodies.radius[i]);
+        reference.position[bodies.ball[i]] = bodies.reference[i];
+        reference.skin[bodies.ball[i]] = bodies.skin[i];
+    }
 }
 
-bool are_within_skins(const ContactBodies& bodies, const ContactSubstep& step) {
+bool has_reference_positions(const World& world, const ContactSubstep& step) {
+    return !step.wraps && world.held_balls().empty() && world.held_capsules().empty() &&
+           contact_memory(world).reference.ball == world.balls().id;
+}
+
+void find_leaving_in_tick(const ContactBodies& bodies, const SkinSizes& sizes,
+                          std::vector<std::uint32_t>& leaving) {
+    leaving.clear();
+    const double fall = sizes.fall * sizes.tick * sizes.tick;
+    for (std::uint32_t i = 0; i < bodies.fixed; ++i) {
+        const double own = length(bodies.body[i].velocity) * sizes.tick + fall;
+        if (!has_room(bodies, i, std::max(own, sizes.hit_of(bodies.radius[i]))))
+            leaving.push_back(i);
+    }
+}
+
+void find_leaving_in_substep(const ContactBodies& bodies, const SkinSizes& sizes,
+                             std::vector<std::uint32_t>& leaving) {
+    leaving.clear();
+    const double fall = sizes.fall * sizes.substep * sizes.substep;
     for (std::uint32_t i = 0; i < bodies.fixed; ++i)
-        if (!stays_within(bodies.position[i] - bodies.reference[i], bodies.body[i].velocity,
-                          bodies.skin[i], step))
-            return false;
-    return true;
+        if (!has_room(bodies, i, length(bodies.body[i].velocity) * sizes.substep + fall))
+            leaving.push_back(i);
 }
 
 }  // namespace carom

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "physics/contact/bodies.h"
 
 /// Verlet reference positions of the solver `contact` (ContactMemory::reference): where the balls
 /// were when their pairs were found. While each ball stays within its skin of there, these pairs
-/// are all that could meet. The reference positions belong to the world, since pairs are solved in
-/// an order that depends on them.
+/// are all that could meet. A ball that might leave gets a new one; the others keep theirs. So the
+/// reference positions belong to the world: pairs are solved in an order that depends on them.
 namespace carom {
 
 /// Whether the result is the same whenever pairs are found anew: in a scene in which nothing is
@@ -13,16 +17,49 @@ namespace carom {
 /// be rounded when bodies are loaded.
 bool is_pair_order_irrelevant(const World& world);
 
-/// New reference positions for all balls, where they are now. A skin holds what the ball needs for
-/// the tick at its speed, but at least what it needs if it is hit, and for a very fast ball only
-/// what it needs for a substep.
-void set_reference_positions(World& world, const ContactSubstep& step);
+/// How large skins are in a tick. A skin holds what the ball needs for the tick at its speed, but
+/// at least what it needs in a substep if it is hit.
+struct SkinSizes {
+    double tick = 0.0;     ///< s
+    double substep = 0.0;  ///< s
+    double fall = 0.0;     ///< length/s^2
+    /// Whether balls typically go further than their radius in a tick: there large skins would
+    /// overlap with crowds.
+    bool is_fast_crowd = false;
+    /// Bound of a skin that lasts for a whole tick; a faster ball's lasts for a substep.
+    double most_radii = 0.0;
+    /// How far hits move balls in a substep, length. In a gas hardly any ball becomes faster than
+    /// `usual_hit`; where most balls rest, it is small, and few are hit.
+    double usual_hit = 0.0;
+    double any_hit = 0.0;
+    /// Where it does not show when pairs are found, skins are larger, and mostly last for the tick.
+    double roomy = 0.0;
 
-/// Whether those of an earlier tick will do, at least for the next substep. Never on a torus, where
+    /// What the ball needs if another one hits it.
+    double hit_of(double radius) const;
+    double of(double speed, double radius) const;
+};
+
+/// As the balls move at the start of a tick.
+SkinSizes skin_sizes(const World& world, const ContactSubstep& step);
+
+/// New reference positions for all balls, where they are now.
+void set_reference_positions(World& world, const SkinSizes& sizes);
+
+/// The same for some, by body; also in `bodies`. Pre: `has_reference_positions`.
+void renew_reference_positions(World& world, const SkinSizes& sizes, ContactBodies& bodies,
+                               std::span<const std::uint32_t> which);
+
+/// Whether the world has those of an earlier tick, for just its balls. Never on a torus, where
 /// balls leave them behind at the seams, nor while something is held, whose pairs change each tick.
-bool has_valid_reference_positions(const World& world, const ContactSubstep& step);
+bool has_reference_positions(const World& world, const ContactSubstep& step);
 
-/// Whether no ball can leave its skin in the next substep.
-bool are_within_skins(const ContactBodies& bodies, const ContactSubstep& step);
+/// The balls that could leave their skins in the tick, by body, or if something hits them.
+void find_leaving_in_tick(const ContactBodies& bodies, const SkinSizes& sizes,
+                          std::vector<std::uint32_t>& leaving);
+
+/// The balls that could leave their skins in the next substep, by body.
+void find_leaving_in_substep(const ContactBodies& bodies, const SkinSizes& sizes,
+                             std::vector<std::uint32_t>& leaving);
 
 }  // namespace carom

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "physics/contact/contact_memory.h"
-#include "physics/contact/reference_positions.h"
 #include "physics/contact/tolerances.h"
 #include "physics/tick/emitters_and_sinks.h"
 #include "physics/world/solver_access.h"
@@ -30,19 +29,22 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
                          std::vector<std::uint8_t>& touched, bool is_strict) {
     const int count = substeps_for_fall(world, substeps_needed(world, substeps));
     step_ = contact_substep(world, count, is_strict);
+    sizes_ = skin_sizes(world, step_);
     kinematics_.begin_tick();
     impacts_.begin_tick();
     for (int i = 0; i < count; ++i) {
-        is_reloaded_ = true;
         if (i == 0) {
             begin(world);
             energy_.begin_tick(contact_memory(world).stored_energy);
-        } else if (!are_within_skins(bodies_, step_)) {
-            store(world, touched);
-            set_reference_positions(world, step_);
-            load(world);
         } else {
+            find_leaving_in_substep(bodies_, sizes_, leaving_);
             is_reloaded_ = false;
+            if (must_start_anew(world)) {
+                store(world, touched);
+                start_anew(world);
+            } else if (!leaving_.empty()) {
+                follow_leaving(world);
+            }
         }
         step_.start_time = world.time() + step_.duration * i;
         substep(world, 1.0 / (count - i), contacts);
@@ -52,13 +54,42 @@ void ContactSolver::tick(World& world, int substeps, std::vector<Contact>& conta
 
 // Goes on with the pairs of the last tick where `load` would find the same ones.
 void ContactSolver::begin(World& world) {
-    if (!has_valid_reference_positions(world, step_))
-        set_reference_positions(world, step_);
-    else if (has_pairs_of(world)) {
+    if (!has_reference_positions(world, step_)) return start_anew(world);
+    if (has_pairs_of(world))
         bodies_.reload(world);
-        return;
+    else
+        load(world);
+    find_leaving_in_tick(bodies_, sizes_, leaving_);
+    is_reloaded_ = true;
+    if (must_start_anew(world)) {
+        start_anew(world);
+    } else if (!leaving_.empty() || pairs_.has_added()) {
+        renew_reference_positions(world, sizes_, bodies_, leaving_);
+        pairs_.update(world, step_, bodies_, leaving_);
     }
+}
+
+// Whether all balls get new reference positions, and a new order: where many leave their skins, and
+// where one does in a fast crowd, in which any ball may be hit.
+bool ContactSolver::must_start_anew(const World& world) const {
+    return !leaving_.empty() && (sizes_.is_fast_crowd || 2 * leaving_.size() > bodies_.fixed ||
+                                 !has_reference_positions(world, step_));
+}
+
+void ContactSolver::start_anew(World& world) {
+    is_reloaded_ = true;
+    set_reference_positions(world, sizes_);
     load(world);
+}
+
+// In the middle of a tick: pairs of a few balls need no order.
+void ContactSolver::follow_leaving(World& world) {
+    renew_reference_positions(world, sizes_, bodies_, leaving_);
+    is_reloaded_ = contact_tolerance::few_leaving * leaving_.size() > bodies_.fixed;
+    if (is_reloaded_)
+        pairs_.update(world, step_, bodies_, leaving_);
+    else
+        pairs_.add(world, bodies_, leaving_);
 }
 
 // Whether nobody has changed what the pairs depend on, besides the motion of balls, since the last
@@ -69,10 +100,9 @@ bool ContactSolver::has_pairs_of(const World& world) const {
            now.roster == stamps_.roster && now.memory == stamps_.memory && now.held == stamps_.held;
 }
 
-void ContactSolver::load(const World& world) {
-    pairs_.sort(world, bodies_);
+void ContactSolver::load(World& world) {
+    pairs_.find(world);
     bodies_.load(world);
-    pairs_.find(world, bodies_);
     kinematics_.load(world, bodies_);
     pairs_.load(world, step_, bodies_, kinematics_.edges());
     stamps_ = world.stamps();

@@ -10,6 +10,7 @@
 #include "physics/contact/hinges.h"
 #include "physics/contact/impacts.h"
 #include "physics/contact/kinematics.h"
+#include "physics/contact/reference_positions.h"
 
 namespace carom {
 
@@ -56,12 +57,16 @@ class ContactSolver {
   private:
     void begin(World& world);
     bool has_pairs_of(const World& world) const;
-    void load(const World& world);
+    void load(World& world);
+    bool must_start_anew(const World& world) const;
+    void start_anew(World& world);
+    void follow_leaving(World& world);
     void store(World& world, std::vector<std::uint8_t>& touched);
     void substep(World& world, double share_of_displacement, std::vector<Contact>& contacts);
     void advance_positions(const World& world);
 
     ContactSubstep step_;
+    SkinSizes sizes_;
     ContactBodies bodies_;
     ContactPairs pairs_;
     ContactKinematics kinematics_;
@@ -71,7 +76,8 @@ class ContactSolver {
     ContactConstraints constraints_{step_, bodies_, pairs_, classification_, energy_};
     ContactHinges hinges_{step_, bodies_, pairs_, kinematics_, classification_};
     ContactImpacts impacts_{step_, bodies_, pairs_, kinematics_, classification_};
-    bool is_reloaded_ = false;  // the pairs are not those of the last substep
+    std::vector<std::uint32_t> leaving_;  // bodies that could leave their skins
+    bool is_reloaded_ = false;            // the pairs are not those of the last substep
 };
 
 }  // namespace carom

@@ -31,6 +31,7 @@
 /// | kinematic_overlap | 0.1   | ball's radius                | held edges sink into balls / they stutter |
 /// | deep_overlap      | 0.25  | smallest radius              | overlap goes unnoticed by CCD, crowds stay crowds / every pair is searched |
 /// | closing_margin    | 0.02  | smallest radius              | more idle constraints / pushed balls reach others late |
+/// | few_leaving       | 32    | balls to one that leaves     | pairs are sorted in every substep / new pairs are solved last |
 /// | least_turn        | 1e-3  | rest speeds                  | curves cost energy / jitter in a heap counts as rolling |
 /// | most_impacts      | 64    | impacts of a ball a substep  | jams cost more / fast balls freeze early |
 /// | most_pushes       | 8     | pushes by kinematic bodies   | jams rattle longer / freeze early |
@@ -111,6 +112,9 @@ inline constexpr double deep_overlap = 0.25;
 /// A gap, as a share of the smallest radius, that pressed pairs may close for others in a substep.
 inline constexpr double closing_margin = 0.02;
 
+/// In the middle of a tick, pairs that balls form with new reference positions stay out of order
+/// where that many times as few balls have new ones as there are.
+inline constexpr int few_leaving = 32;
 /// A ball meets the next piece of a curve at its time of impact from this many rest speeds on.
 inline constexpr double least_turn = 1e-3;
 /// A ball freezes after this many impacts in a substep.

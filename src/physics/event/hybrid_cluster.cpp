@@ -88,9 +88,9 @@ void HybridCluster::find_reach(const World& world) {
 void HybridCluster::unite_and_mark(const World& world) {
     ball_count_ = world.balls().size();
     sets_.reset(ball_count_ + world.held_capsules().size());
-    near_.find(world, reach_, order_);
+    near_.find(world, reach_);
     for (const NearPair& pair : near_.pairs())
-        if (pair.edge == NearPair::no_edge) sets_.unite(order_[pair.a], order_[pair.b]);
+        if (pair.edge == NearPair::no_edge) sets_.unite(pair.a, pair.b);
     unite_held_capsules(world);
     is_clustered_.assign(sets_.size(), 0);
     for (const BallId id : event_memory(world).clustered)
@@ -165,15 +165,15 @@ void HybridCluster::find_staying(const World& cluster, std::vector<BallId>& stay
                 is_on_solid_side(shape, cluster.capsules().side[edge], at));
     };
     margin_.assign(balls.size(), 0.0);
-    near_.find(cluster, margin_, order_);
+    near_.find(cluster, margin_);
     for (const NearPair& pair : near_.pairs()) {
-        const std::uint32_t a = order_[pair.a];
+        const std::uint32_t a = pair.a;
         if (pair.edge != NearPair::no_edge) {
             const Vec2 shift{pair.across * torus.x, pair.along * torus.y};
             stays_[a] |= is_sunk(a, balls.position[a] - shift, pair.edge);
             continue;
         }
-        const std::uint32_t b = order_[pair.b];
+        const std::uint32_t b = pair.b;
         const double away = length(displacement(cluster, balls.position[a], balls.position[b]));
         const double gap = away - balls.radius[a] - balls.radius[b];
         if (gap < -most_overlap * std::min(balls.radius[a], balls.radius[b]))

@@ -75,7 +75,6 @@ class HybridCluster {
     static std::optional<std::uint32_t> node_of(const World& world, const Hand& hand);
 
     NearPairs near_;
-    std::vector<std::uint32_t> order_;        // of the balls in near_
     std::vector<double> reach_;               // by ball, length
     DisjointSets sets_;                       // balls, then held capsules
     std::vector<std::uint8_t> is_clustered_;  // by ball, then by World::held_capsules

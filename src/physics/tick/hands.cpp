@@ -191,13 +191,12 @@ void HandStep::for_each_overlap(const World& world, Visit&& visit) {
                 });
     }
     margin_.assign(world.balls().size(), 0.0);
-    near_.find(world, margin_, order_);
+    near_.find(world, margin_);
     const Vec2 torus = world.model().wrap ? size(*world.model().wrap) : Vec2{};
     for (const NearPair& pair : near_.pairs()) {
-        const std::uint32_t a = order_[pair.a];
+        const std::uint32_t a = pair.a;
         if (pair.edge == NearPair::no_edge) {
-            visit(
-                [a, b = order_[pair.b]](const World& any) { return relative_overlap(any, a, b); });
+            visit([a, b = pair.b](const World& any) { return relative_overlap(any, a, b); });
         } else if (!world.model().one_way || world.capsules().side[pair.edge] == Side::both) {
             visit([&, a](const World& any) {
                 Capsule edge = any.capsules().shape[pair.edge];

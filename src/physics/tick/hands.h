@@ -66,7 +66,6 @@ class HandStep {
     std::vector<HeldBall> aimed_balls_;
     std::vector<HeldCapsule> aimed_edges_;
     NearPairs near_;
-    std::vector<std::uint32_t> order_;
     std::vector<double> margin_;
 };
 

@@ -16,10 +16,9 @@ struct SubstepParts {
     /// Fills in the rest from the world, as a tick of four substeps begins.
     void load() {
         step = contact_substep(world, 4, false);
-        set_reference_positions(world, step);
-        pairs.sort(world, bodies);
+        set_reference_positions(world, skin_sizes(world, step));
+        pairs.find(world);
         bodies.load(world);
-        pairs.find(world, bodies);
         pairs.load(world, step, bodies, {});
     }
 };

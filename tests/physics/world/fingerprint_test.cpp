@@ -39,7 +39,7 @@ World sample() {
     memory.trajectories.curves.resize(2);
     memory.trajectories.spins.resize(2);
     memory.contacts.resize(2);
-    memory.reference = {.ball = {BallId{0}}, .position = {{1.0, 2.0}}, .skin = {0.5}};
+    memory.reference = {.ball = {BallId{0}}, .position = {{1.0, 2.0}}, .skin = {0.5}, .order = {0}};
     memory.clustered = {BallId{0}};
     return world;
 }
@@ -104,6 +104,7 @@ const std::vector<Change>& changes() {
         {"persistent contact", [=](World& w) { memory(w).contacts[1].impulse = 1.0; }},
         {"its image on a torus", [=](World& w) { memory(w).contacts[1].along = 1; }},
         {"reference position", [=](World& w) { memory(w).reference.position[0].x = 9.0; }},
+        {"order of the solver's balls", [=](World& w) { memory(w).reference.order[0] = 1; }},
         {"cluster", [=](World& w) { memory(w).clustered.push_back(BallId{1}); }},
     };
     return all;
