@@ -73,6 +73,14 @@ Box bounds_of(const PaintedArea& area) {
     return box;
 }
 
+// The last of the earlier areas that this one may lie on; none: it lies on the board.
+std::optional<std::size_t> area_below(const std::vector<PaintedArea>& areas, std::size_t area) {
+    const Box box = bounds_of(areas[area]);
+    for (std::size_t i = area; i-- > 0;)
+        if (overlaps(bounds_of(areas[i]), box)) return i;
+    return std::nullopt;
+}
+
 }  // namespace
 
 Ink dress_ink(Rgb24 color, const Look& look) {
@@ -124,9 +132,10 @@ void GroundLayer::choose_inks(const Scene& scene) {
         neighbours = {{board, nose}, {nose, cushion}, {cushion, rail}, {board, chalk}};
     else
         neighbours = {{board, rail}, {board, plastic}};
-    for (const PaintedArea& area : scene.dress.areas) {
-        neighbours.emplace_back(board, wanted.size());
-        wanted.push_back(rgb(area.color));
+    for (std::size_t i = 0; i < scene.dress.areas.size(); ++i) {
+        const std::optional<std::size_t> below = area_below(scene.dress.areas, i);
+        neighbours.emplace_back(below ? areas + *below : board, wanted.size());
+        wanted.push_back(rgb(scene.dress.areas[i].color));
     }
     const std::vector<Color> chosen = surface_colors(wanted, neighbours, key_->look);
     inks_ = {{default_color, chosen[rail], chosen[cushion], chosen[plastic], chosen[board]},

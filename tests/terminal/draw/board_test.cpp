@@ -86,6 +86,20 @@ TEST_CASE("board: with few colours, cloth is a pattern of the colour with its hu
     CHECK(picture({256, true, false}, half_block_renderer()).at(60, 12).glyph != light_shade);
 }
 
+TEST_CASE("board: of 256 colours, an area that lies on another one has a colour of its own") {
+    const Scene scene = scene_of(
+        "world 0,0 40,20\nball b at=35,10 r=1\npaint rect 0,0 40,20 color=#2e7d43\n"
+        "paint circle at=20,10 r=6 color=#348a4b\n");
+    Canvas canvas(40, 10);
+    ViewOptions options;
+    options.renderer = &half_block_renderer();
+    options.look.colors = 256;
+    ViewMemory memory;
+    draw_world(canvas, fit_camera(scene.view, {0, 0, 40, 10}, 2.0), scene, scene.world, {}, {},
+               options, memory);
+    CHECK(canvas.at(20, 5).foreground != canvas.at(5, 5).foreground);
+}
+
 TEST_CASE("board: gaps as wide as a ball do not let the outside in, and a lost wall does") {
     const Board gap(scene_of(pool_table("edge 0,0 98,0\nedge 104,0 200,0 200,100 0,100 0,0\n")));
     REQUIRE_FALSE(gap.is_empty());
