@@ -94,6 +94,9 @@ class PoolAim {
     std::vector<BallId> targets(const Session& session) const;
     void begin_turn(const Session& session);
     bool aim_as_before(const Session& session);
+    /// The aim with which a turn begins, until the player aims.
+    void aim_first(const Session& session);
+    void aim_at_corner(const Session& session);
     void aim_at_nearest(const Session& session);
     bool is_break(const Session& session) const;
     Aids shown_aids() const;

@@ -38,7 +38,7 @@ void PoolAim::look(const Session& session) {
     setup_.speed = std::min(setup_.speed, cue_in_turn(session).most_power);
     // The ball in hand was moved: aim anew.
     if (!has_aimed_ && may_place(session) && positions_ != session.world().balls().position)
-        aim_at_nearest(session);
+        aim_first(session);
     if (is_seen_ && seen_setup_ == setup_ && positions_ == session.world().balls().position) return;
     is_seen_ = true;
     seen_setup_ = setup_;

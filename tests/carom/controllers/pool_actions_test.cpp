@@ -145,6 +145,20 @@ TEST_CASE("after a foul at snooker the message tells it, though carom has chosen
     CHECK(person.sees("Foul, 4: no ball was hit."));
 }
 
+// It pointed full at the apex, softly: a foul.
+TEST_CASE("the opening that is proposed at straight pool and one-pocket is fair, and comes back") {
+    for (const char* const level : {"straight-pool", "one-pocket"}) {
+        CAPTURE(level);
+        Person person(level);
+        const double head = person.place_of(0).x;
+        person.key(key::enter);
+        person.wait();
+        CHECK(person.play().last_foul == PoolFoul::none);
+        CHECK(person.play().rules.phase == PoolPhase::playing);
+        CHECK(person.place_of(0).x < head);
+    }
+}
+
 TEST_CASE("every choice after a foul is listed at 80 columns") {
     Person person("eight-ball", 80, 24);
     for (int i = 0; i < 75; ++i)
