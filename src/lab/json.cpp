@@ -31,7 +31,7 @@ void append_escaped(std::string& out, char c) {
             break;
     }
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-        fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned char>(c));
+        out += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
     } else {
         out += c;
     }

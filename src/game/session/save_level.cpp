@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "game/referees/referee.h"
@@ -54,7 +53,7 @@ class LevelWriter {
   private:
     template <typename... Arguments>
     void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
+        text_ += fmt::format(format, std::forward<Arguments>(arguments)...);
         text_ += '\n';
     }
 

@@ -216,8 +216,7 @@ std::string measure_csv(const Measurement& measurement) {
         const Fault worst = worst_fault(measurement, row);
         for (std::size_t k = 0; k < row.errors.size(); ++k) {
             const ErrorAt& error = row.errors[k];
-            fmt::format_to(
-                std::back_inserter(text),
+            text += fmt::format(
                 "{},{},{},{},{},{},{},{},{},{},{},{},{}{},{},{},{},{},{}\n", name(solver.kind),
                 csv_count(solver, "updates"), csv_count(solver, "steps"),
                 csv_count(solver, "substeps"), row.choice.rate, measurement.horizons[k],

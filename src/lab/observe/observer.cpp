@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 
 namespace carom {
 
@@ -129,8 +128,8 @@ std::string curves_csv(const Observer& observer) {
     for (const ObservableRow& row : observables()) {
         if (!observer.what().has(row.what)) continue;
         for (const CurvePoint& point : observer.curve(row.what).points) {
-            fmt::format_to(std::back_inserter(text), "{},{},{},", row.name, point.x, point.y);
-            if (point.expected) fmt::format_to(std::back_inserter(text), "{}", *point.expected);
+            text += fmt::format("{},{},{},", row.name, point.x, point.y);
+            if (point.expected) text += fmt::format("{}", *point.expected);
             text += '\n';
         }
     }

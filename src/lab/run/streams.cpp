@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "lab/json.h"
 
 namespace carom {
@@ -11,8 +9,7 @@ namespace carom {
 std::string event_lines(std::span<const Contact> contacts, std::uint64_t tick) {
     std::string lines;
     for (const Contact& contact : contacts) {
-        fmt::format_to(
-            std::back_inserter(lines),
+        lines += fmt::format(
             R"({{"t": {}, "tick": {}, "kind": "{}", "a": {}, "b": {}, "x": {}, "y": {}, )"
             R"("nx": {}, "ny": {}, "approach": {}, "impulse": {}}})"
             "\n",
@@ -34,10 +31,10 @@ std::string trace_rows(const World& world) {
     for (std::size_t i = 0; i < world.balls().size(); ++i) {
         const Vec2 position = world.balls().position[i];
         const Vec2 velocity = world.balls().velocity[i];
-        fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{}", world.tick(), world.time(),
-                       number(world.balls().id[i]), position.x, position.y, velocity.x, velocity.y);
-        if (world.model().spin)
-            fmt::format_to(std::back_inserter(rows), ",{}", world.balls().spin[i]);
+        rows += fmt::format("{},{},{},{},{},{},{}", world.tick(), world.time(),
+                            number(world.balls().id[i]), position.x, position.y, velocity.x,
+                            velocity.y);
+        if (world.model().spin) rows += fmt::format(",{}", world.balls().spin[i]);
         rows += '\n';
     }
     return rows;

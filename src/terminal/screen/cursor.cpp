@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <cstdlib>
-#include <iterator>
 
 namespace carom {
 namespace {
@@ -84,7 +83,7 @@ std::size_t sequence_size(int number) {
 
 void append_sequence(std::string& bytes, int number, char final) {
     bytes += "\033[";
-    if (number != 1) fmt::format_to(std::back_inserter(bytes), "{}", number);
+    if (number != 1) bytes += std::to_string(number);
     bytes += final;
 }
 
@@ -112,7 +111,7 @@ void append_movement(std::string& bytes, const TerminalDialect& dialect, int col
         }
     }
     if (is_first_column) return append_sequence(bytes, to.row + 1, 'H');
-    fmt::format_to(std::back_inserter(bytes), "\033[{};{}H", to.row + 1, to.column + 1);
+    bytes += fmt::format("\033[{};{}H", to.row + 1, to.column + 1);
 }
 
 }  // namespace carom

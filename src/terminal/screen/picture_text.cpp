@@ -148,9 +148,9 @@ class Rectangles {
         constexpr int unit = cell_width / parts_across;
         constexpr double height = static_cast<double>(cell_height) / parts_down;
         for (const auto& [run, top] : open_)
-            fmt::format_to(std::back_inserter(paths_[run.color]), "M{} {:.6g}h{}v{:.6g}h-{}z",
-                           run.first * unit, top * height, (run.last - run.first) * unit,
-                           (line_ - top) * height, (run.last - run.first) * unit);
+            paths_[run.color] += fmt::format("M{} {:.6g}h{}v{:.6g}h-{}z", run.first * unit,
+                                             top * height, (run.last - run.first) * unit,
+                                             (line_ - top) * height, (run.last - run.first) * unit);
         open_.clear();
     }
 
@@ -166,11 +166,10 @@ void add_dots(std::string& svg, const Canvas& canvas, int column, int row, const
     const Cell& cell = canvas.at(column, row);
     for (int dot = 0; dot < 8; ++dot)
         if ((cell.glyph - 0x2800) >> dot & 1u)
-            fmt::format_to(std::back_inserter(svg),
-                           "<circle cx=\"{:.4g}\" cy=\"{:.4g}\" r=\"1.8\" fill=\"{}\"/>\n",
-                           column * cell_width + 2.5 + 5.0 * places[dot][0],
-                           row * cell_height + 2.5 + 5.0 * places[dot][1],
-                           hex(colors_of(cell, look).ink));
+            svg += fmt::format("<circle cx=\"{:.4g}\" cy=\"{:.4g}\" r=\"1.8\" fill=\"{}\"/>\n",
+                               column * cell_width + 2.5 + 5.0 * places[dot][0],
+                               row * cell_height + 2.5 + 5.0 * places[dot][1],
+                               hex(colors_of(cell, look).ink));
 }
 
 bool is_text(const Cell& cell) {
@@ -199,11 +198,10 @@ int add_text(std::string& svg, const Canvas& canvas, int column, int row, const 
         if (!goes_on) break;
         text += escaped(cell.glyph);
     }
-    fmt::format_to(std::back_inserter(svg),
-                   "<text x=\"{}\" y=\"{}\" textLength=\"{}\" fill=\"{}\"{}{}>{}</text>\n",
-                   column * cell_width, row * cell_height + 15, (end - column) * cell_width,
-                   hex(ink), first.attributes & bold ? " font-weight=\"bold\"" : "",
-                   first.attributes & underline ? " text-decoration=\"underline\"" : "", text);
+    svg += fmt::format("<text x=\"{}\" y=\"{}\" textLength=\"{}\" fill=\"{}\"{}{}>{}</text>\n",
+                       column * cell_width, row * cell_height + 15, (end - column) * cell_width,
+                       hex(ink), first.attributes & bold ? " font-weight=\"bold\"" : "",
+                       first.attributes & underline ? " text-decoration=\"underline\"" : "", text);
     return end;
 }
 
