@@ -1,7 +1,7 @@
 #include "terminal/draw/board_rail.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstddef>
 
 #include "terminal/draw/board.h"
 
@@ -13,24 +13,33 @@ namespace {
 // neighbours. A `diagonal` step counts less than it is long, so that corners come out squarer.
 std::vector<float> distance_from(const BoardGrid& grid, const CellMask& set,
                                  float diagonal = 1.2F) {
-    std::vector<float> distance(grid.size(), 1e9F);
+    // A border of cells far from everything gives each cell of the grid eight neighbours.
+    const auto columns = static_cast<std::size_t>(grid.columns);
+    const std::ptrdiff_t stride = grid.columns + 2;
+    std::vector<float> bordered((columns + 2) * (static_cast<std::size_t>(grid.rows) + 2), 1e9F);
+    const auto start_of = [&](int row) { return bordered.data() + (row + 1) * stride + 1; };
     for (std::size_t i = 0; i < set.size(); ++i)
-        if (set[i] != 0) distance[i] = 0.0F;
-    const auto relax = [&](int column, int row, int dx, int dy) {
-        if (column + dx < 0 || column + dx >= grid.columns || row + dy < 0 || row + dy >= grid.rows)
-            return;
-        float& mine = distance[grid.index(column, row)];
-        const float step = dx != 0 && dy != 0 ? diagonal : 1.0F;
-        mine = std::min(mine, distance[grid.index(column + dx, row + dy)] + step);
+        if (set[i] != 0) start_of(static_cast<int>(i / columns))[i % columns] = 0.0F;
+    // Relaxes a row from `cell` on. `step`: to the next cell; `past`: to the row before this one.
+    const auto relax = [&](float* cell, std::ptrdiff_t step, std::ptrdiff_t past) {
+        float before = cell[-step];
+        for (const float* end = cell + step * grid.columns; cell != end; cell += step) {
+            const float* above = cell + past;
+            const float straight = (before < above[0] ? before : above[0]) + 1.0F;
+            const float across = (above[-1] < above[1] ? above[-1] : above[1]) + diagonal;
+            const float shorter = straight < across ? straight : across;
+            if (shorter < *cell) *cell = shorter;
+            before = *cell;
+        }
     };
     for (int row = 0; row < grid.rows; ++row)
-        for (int column = 0; column < grid.columns; ++column)
-            for (const auto& [dx, dy] : {std::pair{-1, 0}, {-1, -1}, {0, -1}, {1, -1}})
-                relax(column, row, dx, dy);
+        relax(start_of(row), 1, -stride);
     for (int row = grid.rows - 1; row >= 0; --row)
-        for (int column = grid.columns - 1; column >= 0; --column)
-            for (const auto& [dx, dy] : {std::pair{1, 0}, {1, 1}, {0, 1}, {-1, 1}})
-                relax(column, row, dx, dy);
+        relax(start_of(row) + grid.columns - 1, -1, stride);
+    std::vector<float> distance;
+    distance.reserve(grid.size());
+    for (int row = 0; row < grid.rows; ++row)
+        distance.insert(distance.end(), start_of(row), start_of(row) + grid.columns);
     return distance;
 }
 
