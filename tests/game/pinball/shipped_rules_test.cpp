@@ -115,6 +115,20 @@ TEST_CASE("a bank that is completed by the same shot hides no message of a mode 
     }
 }
 
+TEST_CASE("the keys of Night Vault light one extra ball a game") {
+    ShippedTable table("night-vault");
+    for (int times = 0; times < 6; ++times) {
+        table.happen_to_all("keys", RuleEvent::enter);
+        if (times == 2) {
+            REQUIRE(table.lit("special") == 1);
+            table.happen("guards", 0, RuleEvent::hit);
+            CHECK(table.state().extra_balls == 1);
+        }
+        CHECK(table.lit("special") == 0);
+    }
+    CHECK(table.state().multiplier == 7);
+}
+
 TEST_CASE("a wizard mode begins without the jackpots of an earlier multiball") {
     struct Wizard {
         std::string table;
