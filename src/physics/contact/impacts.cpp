@@ -30,8 +30,11 @@ void ContactImpacts::find_displacements() {
     escaped_.clear();
     pushed_.clear();
     double most = 0.0;
-    // A pair in which no ball is moved further off its free flight cannot meet because of it.
+    // A pair in which no ball is moved further than `far` off its free flight cannot meet because
+    // of that. Without drag, all balls that are pressed are `lag` behind it at least.
     const double far = 0.5 * closing_gap(bodies_);
+    const Vec2 lag = fall * step_.duration - drop;
+    const double near = step_.drag ? 0.0 : std::max(0.0, far - length(lag)) / step_.duration;
     for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
         const Vec2 velocity = bodies_.body[i].velocity;
         const Vec2 before = bodies_.start_velocity[i];
@@ -40,15 +43,16 @@ void ContactImpacts::find_displacements() {
         if (change == Vec2{}) {
             displacement = before * flight.travel_per_velocity + drop;
         } else {
-            const Vec2 flown = before * flight.travel_per_velocity + drop;
             displacement = velocity * step_.duration;
             const double press = length_squared(change);
             most = std::max(most, press);
+            const auto flown = [&] { return before * flight.travel_per_velocity + drop; };
             if (press < full * full && has_far_fall(step_, bodies_, i)) {
-                const Vec2 pushed = flown + change * step_.duration;
+                const Vec2 pushed = flown() + change * step_.duration;
                 displacement = pushed + (displacement - pushed) * (std::sqrt(press) / full);
             }
-            if (length_squared(displacement - flown) > far * far) pushed_.push_back(i);
+            if (press > near * near && length_squared(displacement - flown()) > far * far)
+                pushed_.push_back(i);
         }
         const Vec2 away = bodies_.position[i] + displacement - bodies_.reference[i];
         if (length_squared(away) > bodies_.skin[i] * bodies_.skin[i]) escaped_.push_back(i);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "physics/contact/contact_memory.h"
@@ -15,7 +14,22 @@ namespace {
 // Whether a ball may go that much further without leaving its skin.
 bool has_room(const ContactBodies& bodies, std::uint32_t i, double distance) {
     const double room = bodies.skin[i] - distance;
-    return room >= 0.0 && length_squared(bodies.position[i] - bodies.reference[i]) <= room * room;
+    return length_squared(bodies.position[i] - bodies.reference[i]) <= room * std::abs(room);
+}
+
+// Whether balls typically go further than their radius in a tick. `squares`: the sum of the squares
+// of their speeds.
+bool is_fast_crowd(const Balls& balls, double squares, double tick) {
+    double square_of_radii = 0.0;
+    for (const double radius : balls.radius) {
+        square_of_radii += radius * radius;
+        if (square_of_radii > 2.0 * squares * tick * tick) return false;
+    }
+    return std::sqrt(squares / square_of_radii) * tick > 1.0;
+}
+
+double smallest_radius(const Balls& balls) {
+    return balls.size() == 0 ? 0.0 : *std::ranges::min_element(balls.radius);
 }
 
 }  // namespace
@@ -31,26 +45,22 @@ SkinSizes skin_sizes(const World& world, const ContactSubstep& step) {
     double fastest = 0.0;
     double squares = 0.0;
     double speeds = 0.0;
-    double smallest = std::numeric_limits<double>::infinity();
-    double square_of_radii = 0.0;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        const double square = length_squared(balls.velocity[i]);
+    for (const Vec2 velocity : balls.velocity) {
+        const double square = length_squared(velocity);
         const double speed = std::sqrt(square);
         fastest = std::max(fastest, speed);
         squares += square;
         speeds += speed;
-        smallest = std::min(smallest, balls.radius[i]);
-        square_of_radii += balls.radius[i] * balls.radius[i];
     }
     SkinSizes sizes{
         .tick = world.tick_length(), .substep = step.duration, .fall = length(step.gravity)};
-    sizes.is_fast_crowd = std::sqrt(squares / square_of_radii) * sizes.tick > 1.0;
+    sizes.is_fast_crowd = is_fast_crowd(balls, squares, sizes.tick);
     sizes.most_radii = sizes.is_fast_crowd ? 0.5 : 4.0;
     const double mean = speeds / static_cast<double>(balls.size());
     sizes.usual_hit = sizes.substep * std::min(1.4 * fastest, 4.5 * mean);
     sizes.any_hit = 1.1 * fastest * sizes.substep;
     if (is_pair_order_irrelevant(world))
-        sizes.roomy = std::min(1.15 * fastest * sizes.tick, 0.4 * smallest);
+        sizes.roomy = std::min(1.15 * fastest * sizes.tick, 0.4 * smallest_radius(balls));
     return sizes;
 }
 
