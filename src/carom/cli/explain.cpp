@@ -12,6 +12,7 @@
 #include "level/scene/quantities.h"
 #include "level/statements/action_shapes.h"
 #include "level/statements/rule_events.h"
+#include "level/text/joined.h"
 #include "level/values/dimension.h"
 
 namespace carom {
@@ -165,7 +166,7 @@ bool is_meant(std::string_view name, std::string_view wanted) {
 
 int explain(const ExplainOptions& options) {
     if (options.words.empty()) return print_out(all_statements().grammar()) ? 0 : 2;
-    const std::string wanted = fmt::format("{}", fmt::join(options.words, " "));
+    const std::string wanted = fmt::format("{}", joined(options.words, " "));
     std::string text;
     std::vector<std::string_view> names;
     for (const Statement& statement : all_statements().rows()) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "carom/text/suggest.h"
+#include "level/text/joined.h"
 #include "terminal/canvas/renderer.h"
 
 namespace carom {
@@ -56,8 +57,8 @@ Choice one_of(std::span<const Named<Choice>> choices, std::string_view option,
         if (known.name == text) return known.choice;
         names.emplace_back(known.name);
     }
-    throw BadValue(fmt::format("{} must be one of {}, but is '{}'{}", option,
-                               fmt::join(names, ", "), text, suggestion(text, names)));
+    throw BadValue(fmt::format("{} must be one of {}, but is '{}'{}", option, joined(names, ", "),
+                               text, suggestion(text, names)));
 }
 
 SolverKind available_solver(const std::string& text) {
@@ -68,7 +69,7 @@ SolverKind available_solver(const std::string& text) {
         const std::string meant = suggestion(text, names);
         throw BadValue(fmt::format(
             "there is no solver '{}'{}", text,
-            meant.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : meant));
+            meant.empty() ? fmt::format("; there are {}", joined(names, ", ")) : meant));
     }
     if (const std::optional<std::string> why = unavailable(*kind)) throw BadValue(*why);
     return *kind;
@@ -199,7 +200,7 @@ std::optional<std::string> unavailable(SolverKind kind) {
     const std::span<const SolverKind> available = solvers_available();
     if (std::ranges::find(available, kind) != available.end()) return std::nullopt;
     return fmt::format("this version of carom does not have the solver '{}'; it has {}", name(kind),
-                       fmt::join(available_names(), ", "));
+                       joined(available_names(), ", "));
 }
 
 std::vector<SolverKind> solvers_of_measure(std::string_view option, const std::string& text) {

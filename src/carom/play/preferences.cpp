@@ -10,6 +10,7 @@
 #include "carom/files/user_folders.h"
 #include "carom/text/suggest.h"
 #include "game/ai/person_hand.h"
+#include "level/text/joined.h"
 #include "terminal/canvas/character_width.h"
 
 namespace carom {
@@ -61,7 +62,7 @@ Wrong choose(const Named<T> (&table)[n], std::string_view text, Target& target) 
 Wrong choose_renderer(std::string_view text, std::optional<RendererChoice>& target) {
     const std::optional<RendererChoice> choice = renderer_choice(text);
     if (!choice) {
-        return fmt::format("'{}' is none of {}", text, fmt::join(renderer_choice_names(), ", "));
+        return fmt::format("'{}' is none of {}", text, joined(renderer_choice_names(), ", "));
     }
     target = choice;
     return std::nullopt;
@@ -69,8 +70,7 @@ Wrong choose_renderer(std::string_view text, std::optional<RendererChoice>& targ
 
 Wrong choose_theme(std::string_view text, std::optional<ThemeChoice>& target) {
     const std::optional<ThemeChoice> choice = theme_choice(text);
-    if (!choice)
-        return fmt::format("'{}' is none of {}", text, fmt::join(theme_choice_names(), ", "));
+    if (!choice) return fmt::format("'{}' is none of {}", text, joined(theme_choice_names(), ", "));
     target = choice;
     return std::nullopt;
 }

@@ -12,6 +12,7 @@
 #include "game/referees/referee.h"
 #include "game/session/written_numbers.h"
 #include "geometry/elementary.h"
+#include "level/text/joined.h"
 #include "level/values/color_names.h"
 #include "physics/laws/curve.h"
 #include "physics/tick/totals.h"
@@ -254,7 +255,7 @@ class LevelWriter {
                              : turns                 ? "swing"
                              : slides                ? "slide"
                                                      : "path",
-                             fmt::join(names, " "));
+                             joined(names, " "));
         if (turns) text_ += " about=" + place(mover.pivot);
         if (turns && !mover.is_round) text_ += " by=" + with_unit(degrees_of(mover.angle), "deg");
         if (slides) text_ += " by=" + place(mover.path.back());

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "lab/run/choice.h"
 #include "lab/run/report.h"
+#include "level/text/joined.h"
 #include "level/values/dimension.h"
 #include "physics/world/fingerprint.h"
 
@@ -80,7 +80,7 @@ std::string solvers_of(const RunRecord& record) {
         std::string text = settings_text(change.settings, SettingsText::used);
         if (std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
     }
-    return fmt::format("{}", fmt::join(texts, ", then "));
+    return joined(texts, ", then ");
 }
 
 }  // namespace
@@ -125,9 +125,8 @@ std::string explanation(const Scene& scene) {
 std::string explanation(const Model& model, double rate, const SolverPick& pick,
                         const std::optional<SolverSettings>& asked_for) {
     const std::vector<std::string> terms = terms_in_force(model);
-    const std::string model_text = terms.empty()
-                                       ? "elastic, frictionless, weightless discs"
-                                       : fmt::format("{}", fmt::join(terms, "\n        "));
+    const std::string model_text =
+        terms.empty() ? "elastic, frictionless, weightless discs" : joined(terms, "\n        ");
     const std::string picked = settings_text(pick.settings, SettingsText::used);
     const std::string solver_text =
         asked_for ? fmt::format("{} (chosen by you)", settings_text(*asked_for, SettingsText::used))

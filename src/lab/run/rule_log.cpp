@@ -1,4 +1,5 @@
 #include "lab/run/rule_log.h"
+#include "level/text/joined.h"
 
 #include <fmt/format.h>
 
@@ -131,7 +132,7 @@ std::string RuleLog::line(const Scene& scene, const World& world, const GameStat
     message_ = std::move(message);
     if (!std::exchange(has_begun_, true) || changes.empty()) return {};
     return fmt::format("tick {}, {:.3f} s: {}{}\n", world.tick(),
-                       static_cast<double>(world.tick()) / world.rate(), fmt::join(changes, ", "),
+                       static_cast<double>(world.tick()) / world.rate(), joined(changes, ", "),
                        tested);
 }
 

@@ -5,6 +5,7 @@
 #include "level/assemble/symbol_table.h"
 #include "level/ir/numbers.h"
 #include "level/text/brackets.h"
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 // What `show` and `expect` refer to by name: members of SymbolTable.
@@ -110,7 +111,7 @@ std::optional<Quantity> SymbolTable::quantity_of(const Word& word) {
     context_.reporter.error(
         "unknown-quantity", word.span(), fmt::format("'{}' is no quantity", word.text),
         did_you_mean(word.text, known,
-                     fmt::format("there are {}, BALL.x and mean(BINS)", fmt::join(known, " "))));
+                     fmt::format("there are {}, BALL.x and mean(BINS)", joined(known, " "))));
     return std::nullopt;
 }
 
@@ -128,7 +129,7 @@ std::optional<Quantity> SymbolTable::ball_quantity(const Word& word, std::size_t
     if (!found) {
         context_.reporter.error("unknown-ball-quantity", what.span(),
                                 fmt::format("a ball has no '{}'", what.text),
-                                fmt::format("it has {}", fmt::join(kinds, " ")));
+                                fmt::format("it has {}", joined(kinds, " ")));
         return std::nullopt;
     }
     if (const auto number = ball_named(ball.text)) return Quantity{*found, BallId{*number}, {}, {}};
@@ -183,7 +184,7 @@ std::optional<Quantity> SymbolTable::bins_quantity(const Word& word, std::size_t
         context_.reporter.error(
             "unknown-bins-quantity", what.span(), fmt::format("bins have no '{}'", what.text),
             did_you_mean(what.text, kinds,
-                         fmt::format("they have {}, as in mean(bins)", fmt::join(kinds, " "))));
+                         fmt::format("they have {}, as in mean(bins)", joined(kinds, " "))));
         return std::nullopt;
     }
     const Bins* bins = bins_named(call->inside);

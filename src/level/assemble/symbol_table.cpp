@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -147,7 +148,7 @@ const SymbolTable::Bins* SymbolTable::bins_named(const Word& name) {
         "unknown-bins", name.span(), fmt::format("there are no bins '{}'", name.text),
         did_you_mean(name.text, known,
                      known.empty() ? "the level has no bins: add a line such as bins at=0,0 ..."
-                                   : fmt::format("there are: {}", fmt::join(known, " "))));
+                                   : fmt::format("there are: {}", joined(known, " "))));
     return nullptr;
 }
 

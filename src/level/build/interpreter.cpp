@@ -4,6 +4,7 @@
 
 #include "level/build/all_statements.h"
 #include "level/statements/header.h"
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -123,7 +124,7 @@ void Interpreter::run_unused_override(const Node& node, const Frame& frame) {
             fmt::format("the level has no let '{}'", name.text),
             did_you_mean(
                 name.text, known,
-                known.empty() ? "it has none" : fmt::format("it has: {}", fmt::join(known, " "))));
+                known.empty() ? "it has none" : fmt::format("it has: {}", joined(known, " "))));
     }
 }
 

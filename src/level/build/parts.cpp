@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -76,8 +77,7 @@ bool Parts::take_given(const Arguments& arguments, const Part& part, const Scope
             context_.reporter.error(
                 "unknown-part-key", key.span(),
                 fmt::format("part {} has no key '{}'", arguments.plain[0].text, key.text),
-                did_you_mean(key.text, known,
-                             fmt::format("its keys are: {}", fmt::join(known, " "))));
+                did_you_mean(key.text, known, fmt::format("its keys are: {}", joined(known, " "))));
             return false;
         }
         names.emplace(std::string(key.text), evaluated(key, expression, scope));

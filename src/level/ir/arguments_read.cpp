@@ -6,6 +6,7 @@
 
 #include "level/ir/numbers.h"
 #include "level/text/brackets.h"
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 #include "level/values/color_names.h"
 
@@ -134,12 +135,12 @@ class Reading {
         std::vector<std::string_view> known;
         for (const KeyRule& key : statement().keys)
             known.push_back(key.name);
-        mistake("unknown-key", name.span(),
-                fmt::format("{} has no key '{}'", statement().name, name.text),
-                did_you_mean(name.text, known,
-                             known.size() < 2
-                                 ? fmt::format("write it as: {}", statement().usage)
-                                 : fmt::format("its keys are: {}", fmt::join(known, " "))));
+        mistake(
+            "unknown-key", name.span(),
+            fmt::format("{} has no key '{}'", statement().name, name.text),
+            did_you_mean(name.text, known,
+                         known.size() < 2 ? fmt::format("write it as: {}", statement().usage)
+                                          : fmt::format("its keys are: {}", joined(known, " "))));
     }
 
     void read_value(const KeyRule& key, const Word& value) {

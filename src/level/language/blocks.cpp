@@ -4,13 +4,14 @@
 
 #include <algorithm>
 
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 namespace carom {
 namespace {
 
 std::string listed(const std::vector<std::string_view>& words) {
-    return fmt::format("{}", fmt::join(words, ", "));
+    return joined(words, ", ");
 }
 
 // The statement that a misspelt keyword stands for: decides only whether it opens a block.

@@ -8,6 +8,7 @@
 #include "level/statements/device_parts.h"
 #include "level/statements/families.h"
 #include "level/statements/keys.h"
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 /// Statements that only say how a level looks: paint, label, insert and theme.
@@ -78,7 +79,7 @@ std::optional<Value> one_of(const std::array<std::pair<std::string_view, Value>,
     }
     context.reporter.error(
         code, word->span(), fmt::format("{}= is not '{}'", key, word->text),
-        did_you_mean(word->text, known, fmt::format("there are: {}", fmt::join(known, " "))));
+        did_you_mean(word->text, known, fmt::format("there are: {}", joined(known, " "))));
     return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include "level/ir/arguments.h"
 #include "level/ir/numbers.h"
 #include "level/statements/families.h"
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -57,7 +58,7 @@ void set_observation(const Arguments& arguments, const Frame&, Context& context)
         }
         context.reporter.error(
             "unknown-observable", word.span(), fmt::format("'{}' cannot be observed", word.text),
-            did_you_mean(word.text, known, fmt::format("there are: {}", fmt::join(known, " "))));
+            did_you_mean(word.text, known, fmt::format("there are: {}", joined(known, " "))));
     }
 }
 

@@ -8,6 +8,7 @@
 #include "level/ir/numbers.h"
 #include "level/statements/action_shapes.h"
 #include "level/statements/rule_habits.h"
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -201,7 +202,7 @@ bool read_rule_action(std::span<const Word> words, const Scope& scope, Context& 
         const std::string otherwise =
             looks_like_variable(words)
                 ? fmt::format("declare it above: var {}", words[0].text)
-                : fmt::format("there are: {}, and variables (var NAME)", fmt::join(known, " "));
+                : fmt::format("there are: {}, and variables (var NAME)", joined(known, " "));
         for (const auto& [name, symbol] : context.ir.rule_symbols)
             known.push_back(name);
         context.reporter.error("unknown-action", words[0].span(),

@@ -9,6 +9,7 @@
 #include "level/statements/rule_actions.h"
 #include "level/statements/rule_events.h"
 #include "level/statements/rule_habits.h"
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -145,7 +146,7 @@ bool RuleWords::knows_names(const Word& word) {
             context_.reporter.error("unknown-name", word.part(from, at - from).span(),
                                     fmt::format("'{}' is an action, which is no number", name),
                                     fmt::format("there are variables, and: {}",
-                                                fmt::join(names_of(rule_quantities()), " ")));
+                                                joined(names_of(rule_quantities()), " ")));
             return false;
         }
         std::vector<std::string_view> known = names_of(rule_quantities());
@@ -285,10 +286,9 @@ bool RuleWords::call(Cursor& cursor, const Word& function, RuleValue& out) {
         }
         return cursor.take(')') && push(cursor, step, out);
     }
-    context_.reporter.error(
-        "unknown-function", function.span(),
-        fmt::format("a rule has no function '{}'", function.text),
-        fmt::format("there are: {}", fmt::join(names_of(rule_functions()), " ")));
+    context_.reporter.error("unknown-function", function.span(),
+                            fmt::format("a rule has no function '{}'", function.text),
+                            fmt::format("there are: {}", joined(names_of(rule_functions()), " ")));
     return false;
 }
 

@@ -9,6 +9,7 @@
 #include "level/statements/rule_actions.h"
 #include "level/statements/rule_events.h"
 #include "level/statements/rule_words.h"
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -117,7 +118,7 @@ class RuleReader {
     bool refuse_event(const Word& word, const std::vector<std::string_view>& known) {
         context_.reporter.error(
             "unknown-event", word.span(), fmt::format("there is no event '{}'", word.text),
-            did_you_mean(word.text, known, fmt::format("write {}", fmt::join(known, ", "))));
+            did_you_mean(word.text, known, fmt::format("write {}", joined(known, ", "))));
         return false;
     }
 

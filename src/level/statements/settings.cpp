@@ -6,6 +6,7 @@
 #include "level/ir/arguments.h"
 #include "level/ir/numbers.h"
 #include "level/statements/families.h"
+#include "level/text/joined.h"
 #include "level/text/spelling.h"
 
 namespace carom {
@@ -119,7 +120,7 @@ void set_solver(const Arguments& arguments, const Frame&, Context& context) {
     std::vector<std::string_view> known;
     for (const SolverKind available : solvers_available())
         known.push_back(name(available));
-    const std::string offer = fmt::format("there are: {}", fmt::join(known, " "));
+    const std::string offer = fmt::format("there are: {}", joined(known, " "));
     if (!kind) {
         context.reporter.error("unknown-solver", word.span(),
                                fmt::format("there is no solver '{}'", word.text),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "level/text/joined.h"
 #include "level/text/lookalikes.h"
 #include "level/text/utf8.h"
 
@@ -40,7 +41,7 @@ std::vector<std::string> printable_characters(std::string_view text) {
 }  // namespace
 
 std::string printable(std::string_view text) {
-    return fmt::format("{}", fmt::join(printable_characters(text), ""));
+    return joined(printable_characters(text), "");
 }
 
 std::string printable_lines(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "level/text/joined.h"
 #include "terminal/canvas/character_width.h"
 #include "terminal/panels/panel.h"
 
@@ -133,13 +134,13 @@ std::vector<HudField> measured_fields(const HudInfo& info, int columns, const Lo
 HudField model_field(const HudInfo& info, int columns, const Look& look) {
     HudField field{"model", "free discs", ink_of(Role::text, look), 3};
     if (info.terms.empty()) return field;
-    field.value = fmt::format("{}", fmt::join(info.terms, ", "));
+    field.value = fmt::format("{}", joined(info.terms, ", "));
     std::vector<std::string> names;
     for (const std::string& term : info.terms)
         names.push_back(term.substr(0, term.find(' ')));
     for (std::size_t left_out = 0; width_of(field) > columns && !names.empty(); ++left_out) {
         if (left_out > 0) names.pop_back();
-        field.value = fmt::format("{}", fmt::join(names, ", "));
+        field.value = joined(names, ", ");
         if (left_out > 0) field.value += fmt::format(" +{}", left_out);
     }
     return field;
