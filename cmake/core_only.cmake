@@ -8,7 +8,7 @@ target_include_directories(carom_fmt SYSTEM INTERFACE ${PROJECT_BINARY_DIR}/head
 target_compile_definitions(carom_fmt INTERFACE FMT_HEADER_ONLY)
 
 carom_layer(geometry)
-carom_layer(physics carom_geometry carom_fmt)
+carom_physics_layer(carom_fmt)
 carom_layer(level carom_physics)
 carom_layer(game carom_level)
 add_executable(carom-fingerprints tests/golden/golden.cpp tests/golden/trace.cpp tests/golden/print_fingerprints.cpp)
