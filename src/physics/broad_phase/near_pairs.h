@@ -40,15 +40,16 @@ class NearPairs {
     /// capsules. Which pairs there are depends on the regions alone; their order is arbitrary, but
     /// a function of the world and the regions.
     void find(const World& world, const Regions& regions);
-    /// The same around where the balls are.
+    /// Finds all pairs of regions that are centred where the balls are.
     void find(const World& world, std::span<const double> margin) {
         find(world, {world.balls().position, margin});
     }
 
-    /// After `find`, the regions of `moved` (indices, each once) have changed: replaces `pairs` by
-    /// those pairs in which one of these balls is. Costs little while few balls have moved since
-    /// `find`, and none has a larger region than any had. Pre: besides, the world is as it was for
-    /// `find`, but for motion; it is no torus.
+    /// The balls of `moved` (indices, each once) have new regions since the last call. `pairs()` is
+    /// then just the pairs that have one of these balls. Cost: O(1) for each ball that has moved
+    /// since `find`; that of `find` if these are more than half of all, or if a region is larger
+    /// than all were then. Pre: apart from the motion of balls, the world is that of the last
+    /// `find`, and no torus.
     void find_moved(const World& world, const Regions& regions,
                     std::span<const std::uint32_t> moved);
 

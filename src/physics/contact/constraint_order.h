@@ -11,15 +11,16 @@ namespace carom {
 /// In which order the solver `contact` iterates over its pairs: from the bottom up.
 ///
 /// Pairs are sorted against gravity by the height of their contact, in 4096 steps; pairs of equal
-/// height stay in the order of the broad phase. The result is then regrouped into levels: no two
-/// pairs of a level share a ball, and each pair keeps its place relative to every pair with which
-/// it shares one. So the iteration gives the same bits as the sorted order, while the processor can
-/// overlap neighbouring pairs. Without gravity pairs stay as they are.
+/// height stay in the order in which they are given (PairRows). The result is then regrouped into
+/// levels: no two pairs of a level share a ball, and each pair keeps its place relative to every
+/// pair with which it shares one. So the iteration gives the same bits as the sorted order, while
+/// the processor can overlap neighbouring pairs. Without gravity pairs stay as they are.
 ///
 /// Cost: linear in pairs and balls. Memory is kept from call to call.
 class ConstraintOrder {
   public:
-    /// `place` is by ball; pairs with b >= place.size() are pairs of a ball and an edge.
+    /// The pairs are of bodies (PairRows). `place`: the reference positions of the balls, by body;
+    /// pairs with b >= place.size() are pairs of a ball and an edge.
     void arrange(std::span<const NearPair> pairs, std::span<const Vec2> place, Vec2 gravity);
 
     /// Index of the pair that comes `turn`-th.

@@ -14,7 +14,8 @@
 
 namespace carom {
 
-/// The pairs of a ball, linked. A link is twice the index of a pair, and for its b one more.
+/// The pairs of one ball, as a linked list: a range of their indices. A link is twice the index of
+/// a pair, and one more if the ball is its `b`.
 class PairChain {
   public:
     static constexpr std::uint32_t none = 0xffffffffu;
@@ -39,7 +40,7 @@ class PairChain {
 ///
 /// A solver that has no pairs yet calls `find`, ContactBodies::load, ContactKinematics::load and
 /// `load`, in this order. One that has them calls `update`. Both give the same pairs in the same
-/// order, which depends on the world alone.
+/// order, which depends on the world alone. README.md, "The life of a pair", says when.
 class ContactPairs {
   public:
     /// Finds the pairs of balls, and of balls and edges that nobody holds. Gives the balls an order
@@ -49,12 +50,13 @@ class ContactPairs {
     /// the impulses of ContactMemory::contacts.
     void load(const World& world, const ContactSubstep& step, ContactBodies& bodies,
               std::span<const HeldEdge> edges);
-    /// The balls of `moved` (bodies) have new reference positions: adds the pairs that they form
-    /// now behind the others, until `update`. Pre, here and there: nothing is held, and the scene
-    /// is no torus.
+    /// The balls of `moved` (bodies) have new reference positions: appends the new pairs that they
+    /// form now, out of order, until `update`. Pre of both: nothing is held, and the scene is no
+    /// torus.
     void add(const World& world, const ContactBodies& bodies, std::span<const std::uint32_t> moved);
-    /// Finds the pairs of the balls of `moved`, and of those since the last `update`, and orders
-    /// all pairs. Pairs keep their impulses.
+    /// Replaces the pairs of the balls of `moved`, and of those that `add` was given since the last
+    /// `update`; puts all pairs in order. Pairs that stay keep their impulses. Cost: linear in
+    /// pairs.
     void update(const World& world, const ContactSubstep& step, const ContactBodies& bodies,
                 std::span<const std::uint32_t> moved);
     /// Whether there are pairs that are not in order yet.

@@ -40,25 +40,29 @@ struct SkinSizes {
     double of(double speed, double radius) const;
 };
 
-/// As the balls move at the start of a tick.
+/// The sizes for a tick that begins with the balls as they are. Cost: linear in balls.
 SkinSizes skin_sizes(const World& world, const ContactSubstep& step);
 
-/// New reference positions for all balls, where they are now.
+/// Gives all balls new reference positions, where they are now, and forgets the order of bodies.
 void set_reference_positions(World& world, const SkinSizes& sizes);
 
-/// The same for some, by body; also in `bodies`. Pre: `has_reference_positions`.
+/// Gives the balls of `which` (bodies) new reference positions and skins, in the world and in
+/// `bodies`. Pre: `has_reference_positions`.
 void renew_reference_positions(World& world, const SkinSizes& sizes, ContactBodies& bodies,
                                std::span<const std::uint32_t> which);
 
-/// Whether the world has those of an earlier tick, for just its balls. Never on a torus, where
-/// balls leave them behind at the seams, nor while something is held, whose pairs change each tick.
+/// Whether the world has reference positions from before, for just the balls that there are. Never
+/// on a torus, where balls leave them behind at the seams, nor while anything is held, since its
+/// pairs change in each tick.
 bool has_reference_positions(const World& world, const ContactSubstep& step);
 
-/// The balls that could leave their skins in the tick, by body, or if something hits them.
+/// Sets `leaving` to the bodies that could leave their skins: in the tick by their own motion, or
+/// in a substep after a hit.
 void find_leaving_in_tick(const ContactBodies& bodies, const SkinSizes& sizes,
                           std::vector<std::uint32_t>& leaving);
 
-/// The balls that could leave their skins in the next substep, by body.
+/// Sets `leaving` to the bodies that could leave their skins in the next substep by their own
+/// motion. One that is hit and leaves all the same freezes at the border (paths.h).
 void find_leaving_in_substep(const ContactBodies& bodies, const SkinSizes& sizes,
                              std::vector<std::uint32_t>& leaving);
 

@@ -36,7 +36,8 @@ class ContactSolver {
 
     /// Moves everything by one tick and appends the exchanges to `contacts`: impacts, and each
     /// constraint once, when it begins to press. Sets `touched` for the balls that press on
-    /// something at the end of the tick. Pre: `substeps` >= 1.
+    /// something at the end of the tick, or when all pairs are found anew in the middle of it.
+    /// Pre: `substeps` >= 1.
     ///
     /// In a strict tick constraints are not trusted to separate bodies: a pair that overlaps by
     /// `strict_overlap` collides until it approaches no more, which costs more, and piles settle
