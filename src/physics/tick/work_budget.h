@@ -21,12 +21,12 @@ namespace carom {
 /// - When a ball has used its share, *time stands still* for it: until the tick ends it stays where
 ///   it is, an obstacle to all others, and keeps its velocity. In the next tick it continues.
 ///
-/// - A tick that hands or movers repeat (hands.h, mover_step.h) has one budget for all its trials:
-///   each gets what the trials before it have left. Once nothing is left, each further trial shares
-///   out half as much as the one before.
+/// - A tick that hands, movers or a hybrid step repeat (hands.h, mover_step.h,
+///   event/hybrid_step.h) has one budget for all its trials: each gets what the trials before it
+///   have left. Once nothing is left, each further trial shares out half as much as the one before.
 ///
-/// So a tick takes at most twice its budget, with hands or movers three times, the balls that cost
-/// the most stop first, and the limit changes no velocity and no energy.
+/// So a tick takes at most twice its budget, and three times if it is repeated; the balls that cost
+/// the most stop first; and the limit changes no velocity and no energy.
 class WorkBudget {
   public:
     /// What a solver may do in a tick.

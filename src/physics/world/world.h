@@ -23,7 +23,7 @@ namespace carom {
 
 /// Reading is free; every change goes through a function named edit_.... Those that are not inline
 /// give what they change a new stamp (stamp.h), on every call. The tick, emitters, flippers,
-/// movers, seesaws, ledger and ids have no stamp, since no solver prepares anything from them.
+/// movers, seesaws, hands, ledger and ids have none, since no solver prepares anything from them.
 /// Solvers, which write in every tick, have SolverAccess (solver_access.h).
 ///
 /// Invariants, which edits must keep:
