@@ -20,6 +20,9 @@ std::size_t row_of(int skill) {
     return static_cast<std::size_t>(skill - least_skill);
 }
 
+// A smaller chance would be announced as 0 %.
+constexpr double least_chance = 0.005;
+
 // The executed shot draws noise that no simulation has used.
 constexpr std::uint64_t execution_draw = 1u << 20;
 
@@ -43,7 +46,11 @@ std::string candidate_text(const Scene& scene, const CandidateShot& shot) {
     const std::string ball = shot.ball ? name_of(*shot.ball) : "the rack";
     const auto into = [&] { return pocket_name(scene, shot.pocket); };
     using enum CandidateShot::Kind;
-    switch (shot.kind) {
+    // A pot that is not expected to fall is chosen for how the balls lie after it.
+    const bool is_pot = shot.kind == straight || shot.kind == cut || shot.kind == bank ||
+                        (shot.kind == kick && shot.ball);
+    const bool is_safety = shot.kind == safety || (is_pot && shot.success < least_chance);
+    switch (is_safety ? safety : shot.kind) {
         case break_off:
             text = "break";
             break;
@@ -68,7 +75,7 @@ std::string candidate_text(const Scene& scene, const CandidateShot& shot) {
     }
     text += fmt::format(", {:.1f} m/s", speed);
     // Who plays safe does not mean to continue.
-    if (shot.kind != safety && shot.kind != push_out) {
+    if (!is_safety && shot.kind != push_out) {
         text += fmt::format("  {:.0f} % chance to continue", 100.0 * shot.success);
         if (shot.leaves) text += ", then " + name_of(*shot.leaves);
     }

@@ -81,6 +81,19 @@ TEST_CASE("the AI player pockets a straight ball, and announces it") {
     CHECK(play.rules.player == 0);
 }
 
+TEST_CASE("a pot that is not expected to fall is announced as the safety that it is") {
+    const Scene scene = shipped_level("snooker");
+    CandidateShot shot;
+    shot.kind = CandidateShot::Kind::bank;
+    shot.ball = 1;
+    shot.strike.velocity = {2.0, 0.0};
+    shot.success = 0.1;
+    CHECK(candidate_text(scene, shot).starts_with("bank a red into"));
+    CHECK(candidate_text(scene, shot).find("10 % chance to continue") != std::string::npos);
+    shot.success = 0.0;
+    CHECK(candidate_text(scene, shot) == "safety on a red, 2.0 m/s");
+}
+
 TEST_CASE("the division of the planner's work does not change its decision") {
     Duel duel("nine-ball");
     const ShotNoise error = shot_noise(2);
