@@ -55,8 +55,9 @@ class Controller {
     virtual void draw_panel(const PlayContext&, Canvas&) const {}
     virtual void add_status(const PlayContext&, HudInfo&) const {}
     virtual void add_hints(const PlayContext&, std::vector<KeyHelp>&) const {}
-    /// Whether keys are typed into a text, so that only the controller's own hints hold.
-    virtual bool takes_text() const { return false; }
+    /// Whether the controller's own hints are all that hold: keys are typed into a text, or the
+    /// next key must not be missed.
+    virtual bool has_all_hints() const { return false; }
 
     /// Whether the mouse drags every ball and edge, which the hints then mention.
     virtual bool drags_anything() const { return false; }

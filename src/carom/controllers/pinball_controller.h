@@ -30,7 +30,7 @@ class PinballController : public FreeController {
     void draw_panel(const PlayContext& play, Canvas& canvas) const override;
     void add_status(const PlayContext& play, HudInfo& info) const override;
     void add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const override;
-    bool takes_text() const override { return feedback_.scores().initials().has_value(); }
+    bool has_all_hints() const override { return feedback_.scores().initials().has_value(); }
     void set_high_scores(HighScores scores) override;
     bool drags_anything() const override { return false; }
     void continue_from(PlayContext& play, const Controller& before) override;

@@ -39,6 +39,7 @@ class PoolController : public FreeController {
     void annotate(const PlayContext& play, Annotations& annotations) const override;
     void add_status(const PlayContext& play, HudInfo& info) const override;
     void add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const override;
+    bool has_all_hints() const override { return stroke_.meter() != nullptr; }
     void continue_from(PlayContext& play, const Controller& before) override;
     bool drags_anything() const override { return false; }
 

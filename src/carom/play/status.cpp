@@ -84,7 +84,7 @@ std::vector<KeyHelp> hints_of(const PlayContext& play) {
     const bool has_empty_hand = play.pointer.tool.is_empty();
     const bool watches = is_watching(play);
     play.controller->add_hints(play, hints.lines);
-    if (play.controller->takes_text()) return std::move(hints.lines);
+    if (play.controller->has_all_hints()) return std::move(hints.lines);
     add_first_hints(play, hints);
     if (has_empty_hand && (play.pointer.shows_cursor || play.view.selected) && !watches) {
         hints.add("grab", "grab");

@@ -169,6 +169,17 @@ TEST_CASE("every choice after a foul is listed at 80 columns") {
     CHECK(person.sees("1 shoot from here  2 rack again and break  3 rack, the other breaks"));
 }
 
+TEST_CASE("while the stroke meter runs, only the keys of the stroke are offered") {
+    Person person("eight-ball");
+    REQUIRE(person.player.pool_players()->set_opponent(person.player.session(), 1));
+    person.key(key::enter);
+    CHECK(person.sees("enter strike  esc no stroke"));
+    for (const char* other : {"pause", "restart", "renderer", "quit", "solver", "keys", "about"}) {
+        CAPTURE(other);
+        CHECK_FALSE(person.sees(other));
+    }
+}
+
 TEST_CASE("z zooms on the place where the aim meets a ball") {
     Person person("eight-ball");
     const auto ghost = [&] {
