@@ -26,7 +26,8 @@ void PoolController::perform(PlayContext& play, const Action& action) {
     FreeController::perform(play, action);
 }
 
-// The wheel changes the speed; 1, 2 and 3 pick one of the choices that the rules offer.
+// The wheel changes the speed; 1, 2 and 3 pick one of the choices that the rules offer. The same
+// digit pressed again has no other effect, before another key.
 bool PoolController::take(PlayContext& play, const InputEvent& event) {
     using enum InputEvent::Action;
     after_ = event.after;
@@ -38,16 +39,24 @@ bool PoolController::take(PlayContext& play, const InputEvent& event) {
         return true;
     }
     if (event.kind == InputEvent::Kind::key && takes_key(play, event)) return true;
+    return event.kind == InputEvent::Kind::key && event.action != release &&
+           takes_choice(play, event);
+}
+
+bool PoolController::takes_choice(PlayContext& play, const InputEvent& event) {
     const PoolPlay* const pool = pool_of(play.session);
-    if (!pool || event.kind != InputEvent::Kind::key || event.action == release ||
-        event.modifiers != no_modifier)
-        return false;
+    const bool repeats_choice = std::exchange(chosen_by_, std::nullopt) == event.key;
+    if (!pool || event.modifiers != no_modifier) return false;
     const std::vector<PoolChoice>& choices = pool->rules.choices;
-    if (pool->rules.phase != PoolPhase::choosing || players_.is_opponents_turn(play.session) ||
-        event.key < U'1' || event.key >= U'1' + choices.size())
+    const bool may_choose =
+        pool->rules.phase == PoolPhase::choosing && !players_.is_opponents_turn(play.session);
+    if (may_choose && event.key >= U'1' && event.key < U'1' + choices.size()) {
+        const PoolChoice choice = choices[event.key - U'1'];
+        obey(play, command::Decide{choice}, std::string(choice_text(choice)));
+    } else if (!repeats_choice) {
         return false;
-    const PoolChoice choice = choices[event.key - U'1'];
-    obey(play, command::Decide{choice}, std::string(choice_text(choice)));
+    }
+    chosen_by_ = event.key;
     return true;
 }
 

@@ -82,6 +82,7 @@ class PoolController : public FreeController {
     Pull grip(const PlayContext& play) const;
     double pulled(const PlayContext& play) const;
     bool takes_key(PlayContext& play, const InputEvent& event);
+    bool takes_choice(PlayContext& play, const InputEvent& event);
     void start_push(PlayContext& play);
     void shoot(PlayContext& play, const std::optional<Stroke>& stroke = std::nullopt);
     void hear_coach(PlayContext& play);
@@ -93,6 +94,7 @@ class PoolController : public FreeController {
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
     PersonStroke stroke_;
     std::optional<Pull> pull_{};
+    std::optional<char32_t> chosen_by_{};  ///< the last key, if it picked a choice
     double after_ = 0.0;  ///< InputEvent::after of the event that is being handled, s
     PoolPlayers players_;
     PoolCoach coach_;

@@ -169,6 +169,25 @@ TEST_CASE("every choice after a foul is listed at 80 columns") {
     CHECK(person.sees("1 shoot from here  2 rack again and break  3 rack, the other breaks"));
 }
 
+TEST_CASE("a digit that is pressed twice at a choice switches no overlay on") {
+    Person person("eight-ball", 80, 24);
+    for (int i = 0; i < 75; ++i)
+        person.key(key::down);
+    person.key(key::enter);
+    person.wait();
+    REQUIRE(person.play().rules.choices.size() == 3);
+    const auto shows = [&] { return person.player.view().overlays != OverlaySet{}; };
+    REQUIRE_FALSE(shows());
+    person.key(U'1');
+    REQUIRE(person.play().rules.choices.empty());
+    person.key(U'1');
+    person.key(U'1');
+    CHECK_FALSE(shows());
+    person.key(key::left);
+    person.key(U'1');
+    CHECK(shows());
+}
+
 TEST_CASE("while the stroke meter runs, only the keys of the stroke are offered") {
     Person person("eight-ball");
     REQUIRE(person.player.pool_players()->set_opponent(person.player.session(), 1));
