@@ -97,6 +97,7 @@ bool zoom_on_aim(PoolController& table, PlayContext& play, double factor) {
         play.view.pan(place.column - middle.column, place.row - middle.row);
     }
     play.view.zoom(to_cells(play.view.camera, line->to), factor);
+    table.set_near();
     return true;
 }
 

@@ -58,6 +58,8 @@ class PoolController : public FreeController {
     bool aims_with_keys(const PlayContext& play) const;
     /// Whether the mouse pulls the cue, so that only the mouse shoots.
     bool is_pulling(const PlayContext& play) const { return pull_ && play.pointer.tool.has_cue(); }
+    /// The view was zoomed on the aim: the whole table comes back with the shot.
+    void set_near() { is_near_ = true; }
     /// Shoots; in a match it starts the meter first. False: there is nothing to shoot now.
     bool shoot_with_key(PlayContext& play);
 
@@ -95,6 +97,7 @@ class PoolController : public FreeController {
     PersonStroke stroke_;
     std::optional<Pull> pull_{};
     std::optional<char32_t> chosen_by_{};  ///< the last key, if it picked a choice
+    bool is_near_ = false;                 ///< the view was zoomed on the aim, for the next shot
     double after_ = 0.0;  ///< InputEvent::after of the event that is being handled, s
     PoolPlayers players_;
     PoolCoach coach_;

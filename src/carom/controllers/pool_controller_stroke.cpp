@@ -214,6 +214,7 @@ void PoolController::shoot(PlayContext& play, const std::optional<Stroke>& strok
         if (const auto why_not = play.session.apply(command)) return complain(play, *why_not);
     }
     set_reference(play);
+    if (std::exchange(is_near_, false) && !play.view.is_fitted) play.view.fit();
 }
 
 bool PoolController::shoot_with_key(PlayContext& play) {

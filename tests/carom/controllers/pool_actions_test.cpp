@@ -199,6 +199,16 @@ TEST_CASE("while the stroke meter runs, only the keys of the stroke are offered"
     }
 }
 
+TEST_CASE("the whole table comes back with the shot after z") {
+    Person person("eight-ball");
+    const double scale = person.player.camera().columns_per_length;
+    for (int i = 0; i < 5; ++i)
+        person.key(U'z');
+    REQUIRE(person.player.camera().columns_per_length > 2.0 * scale);
+    person.key(key::enter);
+    CHECK(person.player.camera().columns_per_length == scale);
+}
+
 TEST_CASE("z zooms on the place where the aim meets a ball") {
     Person person("eight-ball");
     const auto ghost = [&] {
