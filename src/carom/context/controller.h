@@ -55,6 +55,8 @@ class Controller {
     virtual void draw_panel(const PlayContext&, Canvas&) const {}
     virtual void add_status(const PlayContext&, HudInfo&) const {}
     virtual void add_hints(const PlayContext&, std::vector<KeyHelp>&) const {}
+    /// Words of the help page that depend on the game that is played.
+    virtual std::vector<HelpWords> help_words(const PlayContext&) const { return {}; }
     /// Whether the controller's own hints are all that hold: keys are typed into a text, or the
     /// next key must not be missed.
     virtual bool has_all_hints() const { return false; }

@@ -29,6 +29,12 @@ struct HelpLine {
     std::string_view help;
 };
 
+/// Words for the line of these actions in the game that is played; without words it has no line.
+struct HelpWords {
+    std::string_view actions;
+    std::string_view help;
+};
+
 /// In the order of the pages. Lines of a section stand together on each page.
 std::span<const HelpLine> help_lines();
 

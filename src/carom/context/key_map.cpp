@@ -91,15 +91,17 @@ std::string KeyMap::keys_of(const HelpLine& line) const {
     return keys;
 }
 
-std::vector<HelpSection> KeyMap::help(PlayKind kind) const {
+std::vector<HelpSection> KeyMap::help(PlayKind kind, std::span<const HelpWords> words) const {
     std::vector<HelpSection> sections;
     const auto add = [&](const HelpLine& line) {
         if (!(line.pages & help_bit(kind))) return;
         std::string keys = keys_of(line);
-        if (keys.empty()) return;
+        const auto own = std::ranges::find(words, line.actions, &HelpWords::actions);
+        const std::string_view help = own == words.end() ? line.help : own->help;
+        if (keys.empty() || help.empty()) return;
         if (sections.empty() || sections.back().title != line.section)
             sections.push_back({std::string(line.section), {}});
-        sections.back().keys.push_back({std::move(keys), std::string(line.help)});
+        sections.back().keys.push_back({std::move(keys), std::string(help)});
     };
     std::ranges::for_each(help_lines(), add);
     std::ranges::for_each(unnamed_lines(actions()), add);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,8 +31,9 @@ class KeyMap {
     /// has none. Pre: there is such an action.
     std::string hint(std::string_view action_name) const;
 
-    /// The help page of a way of playing, with the keys as they are bound.
-    std::vector<HelpSection> help(PlayKind kind) const;
+    /// The help page of a way of playing, with the keys as they are bound. `words` replace those of
+    /// the table of lines.
+    std::vector<HelpSection> help(PlayKind kind, std::span<const HelpWords> words = {}) const;
 
   private:
     struct Binding {

@@ -40,6 +40,7 @@ class PoolController : public FreeController {
     void add_status(const PlayContext& play, HudInfo& info) const override;
     void add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const override;
     bool has_all_hints() const override { return stroke_.meter() != nullptr; }
+    std::vector<HelpWords> help_words(const PlayContext& play) const override;
     void continue_from(PlayContext& play, const Controller& before) override;
     bool drags_anything() const override { return false; }
 

@@ -3,6 +3,7 @@
 #include "carom/controllers/pool_controller.h"
 #include "carom/pool/pool_scoreboard.h"
 #include "carom/pool/shot_picture.h"
+#include "game/referees/referee.h"
 
 /// Draws a game of pool.
 namespace carom {
@@ -82,6 +83,12 @@ void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
     if (!left || *left > last_seconds || players_.is_opponents_turn(play.session)) return;
     info.message = fmt::format("{} left", clock_text(*left));
     info.message_is_error = true;
+}
+
+std::vector<HelpWords> PoolController::help_words(const PlayContext& play) const {
+    const PoolPlay* const pool = pool_of(play.session);
+    if (!pool) return {};
+    return {{"call", pool->rules.referee->declarations()}};
 }
 
 void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hints) const {

@@ -154,7 +154,9 @@ void Player::draw_page(Canvas& canvas) {
             return;
         case CoveringPage::Kind::help:
             extent = draw_help(
-                canvas, play_.keys.help(play_.controller->kind()), page.scroll,
+                canvas,
+                play_.keys.help(play_.controller->kind(), play_.controller->help_words(play_)),
+                page.scroll,
                 footer_with(play_, {{"about", "about this level"}, {"change-key", "change a key"}}),
                 look);
             break;

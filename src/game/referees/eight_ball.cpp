@@ -57,6 +57,7 @@ class EightBall final : public Referee {
         return group_of(ball) == group;
     }
 
+    std::string_view declarations() const override { return "safety"; }
     std::string_view why_no_call(const PoolState& state, PoolCall::Kind) const override {
         return state.phase == PoolPhase::breaking ? "nothing is called on the break" : "";
     }

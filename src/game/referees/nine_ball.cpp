@@ -20,6 +20,7 @@ class NineBall final : public Referee {
         return ball == lowest_ball(state, nine);
     }
 
+    std::string_view declarations() const override { return "push-out"; }
     std::string_view why_no_call(const PoolState&, PoolCall::Kind) const override {
         return "in 9-ball nothing is called";
     }

@@ -116,6 +116,10 @@ bool Referee::calls_pocket() const {
     return true;
 }
 
+std::string_view Referee::declarations() const {
+    return "";
+}
+
 std::string_view Referee::warning_text() const {
     return "the next foul loses";
 }

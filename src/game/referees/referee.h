@@ -85,6 +85,9 @@ class Referee {
     virtual bool has_numbers() const;
     /// Whether a call names the pocket too.
     virtual bool calls_pocket() const;
+    /// What a player may declare before a shot, apart from a pot: "safety, or push-out"; empty:
+    /// none.
+    virtual std::string_view declarations() const;
     /// What the warning says: "the next foul loses".
     virtual std::string_view warning_text() const;
     /// "12:40"; empty in a game without points.

@@ -49,6 +49,7 @@ class StraightPool final : public Referee {
 
     bool may_hit_first(const PoolState&, int) const override { return true; }
 
+    std::string_view declarations() const override { return "safety"; }
     std::string_view why_no_call(const PoolState&, PoolCall::Kind) const override { return ""; }
 
     PoolRuling judge(const PoolState& state, const PoolCall& call,

@@ -20,6 +20,7 @@ class TenBall final : public Referee {
         return ball == lowest_ball(state, ten);
     }
 
+    std::string_view declarations() const override { return "safety, or push-out"; }
     std::string_view why_no_call(const PoolState& state, PoolCall::Kind) const override {
         return state.phase == PoolPhase::breaking ? "nothing is called on the break" : "";
     }

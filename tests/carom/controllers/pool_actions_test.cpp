@@ -199,6 +199,31 @@ TEST_CASE("while the stroke meter runs, only the keys of the stroke are offered"
     }
 }
 
+TEST_CASE("the help of a game of pool lists what is declared there") {
+    const auto help = [](const char* level) {
+        Person person(level);
+        person.key(U'?');
+        return person.look();
+    };
+    const auto says = [](const std::string& text, const char* words) {
+        return text.find(words) != std::string::npos;
+    };
+    for (const char* const level : {"snooker", "one-pocket"}) {
+        CAPTURE(level);
+        CHECK_FALSE(says(help(level), "safety"));
+        CHECK_FALSE(says(help(level), "push-out"));
+        CHECK(says(help(level), "aiming aid"));
+    }
+    for (const char* const level : {"eight-ball", "straight-pool"}) {
+        CAPTURE(level);
+        CHECK(says(help(level), " safety"));
+        CHECK_FALSE(says(help(level), "push-out"));
+    }
+    CHECK(says(help("nine-ball"), " push-out"));
+    CHECK_FALSE(says(help("nine-ball"), "safety"));
+    CHECK(says(help("ten-ball"), " safety, or push-out"));
+}
+
 TEST_CASE("the whole table comes back with the shot after z") {
     Person person("eight-ball");
     const double scale = person.player.camera().columns_per_length;
