@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 #include <string_view>
-#include <utility>
+#include <tuple>
 
 #include "carom/pool/pool_aim.h"
 #include "game/ai/pool_shots.h"
@@ -37,6 +37,12 @@ Sight sight(const World& world, BallId cue, BallId at, std::span<const BallId> t
     if (!line || !line->object) return Sight::hidden;
     if (*line->object == at) return Sight::itself;
     return std::ranges::count(targets, *line->object) > 0 ? Sight::another_target : Sight::hidden;
+}
+
+bool is_cue_ball(const Scene& scene, BallId ball) {
+    return std::ranges::any_of(scene.pool.cues, [&](const Cue& cue) {
+        return cue.ball == ball || std::ranges::count(cue.balls, ball) > 0;
+    });
 }
 
 }  // namespace
@@ -82,17 +88,18 @@ void PoolAim::aim_at_corner(const Session& session) {
 }
 
 // Aims full at the nearest ball that may legally be hit first. A ball that lies hidden, so that a
-// wrong one would be met, comes last: at the break-off of snooker, the red behind the pink.
+// wrong one would be met, comes last: at the break-off of snooker, the red behind the pink. Another
+// player's cue ball comes after the others: it lies beside one's own when caroms begin.
 void PoolAim::aim_at_nearest(const Session& session) {
     const auto cue = cue_ball(session);
     if (!cue) return;
     const Vec2 from = place_at(session.world(), *cue);
     const std::vector<BallId> balls = targets(session);
-    std::optional<std::pair<bool, double>> best;
+    std::optional<std::tuple<bool, bool, double>> best;
     for (const BallId ball : balls) {
         const Vec2 there = place_at(session.world(), ball) - from;
-        const std::pair<bool, double> rank(
-            sight(session.world(), *cue, ball, balls) == Sight::hidden, length(there));
+        const std::tuple rank(sight(session.world(), *cue, ball, balls) == Sight::hidden,
+                              is_cue_ball(session.scene(), ball), length(there));
         if (best && !(rank < *best)) continue;
         best = rank;
         setup_.bearing = bearing_to(there);

@@ -38,6 +38,18 @@ TEST_CASE("the first aim at the break-off of snooker is at a red, not at the pin
     CHECK(may_hit_first(std::get<PoolPlay>(session.game()).rules, *met));
 }
 
+// The other player's cue ball lies beside one's own, so it is the nearest ball.
+TEST_CASE("the first aim at caroms is at the red, which the break-off has to meet") {
+    for (const char* const level : {"three-cushion", "straight-rail", "cushion-caroms"}) {
+        CAPTURE(level);
+        const Session session = session_at(test::shipped_level(level));
+        const command::Strike strike = PoolAim(session).strike(session);
+        const auto line = aim_line(session.world(), strike.ball, strike.velocity);
+        REQUIRE(line);
+        CHECK(line->object == session.world().balls().id[2]);
+    }
+}
+
 TEST_CASE("in a match the balls in sight come before those that lie hidden, which are named so") {
     Scene scene = test::shipped_level("snooker");
     const Session session = session_at(std::move(scene));
