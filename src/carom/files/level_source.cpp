@@ -66,13 +66,19 @@ LoadedLevel load(const LevelSource& source) {
 
 LoadedLevel load(const Replay& replay, std::size_t rewind_bytes) {
     LoadedLevel loaded = load(source_of(replay, rewind_bytes));
-    if (loaded.error.empty()) return loaded;
+    const auto& now = loaded.result.scene;
+    if (now && now->text_hash == replay.level_hash) return loaded;
     auto recorded = scene_of(replay);
     if (auto* const scene = std::get_if<Scene>(&recorded)) {
         loaded.error.clear();
+        loaded.result.diagnostics.clear();
         loaded.result.scene = std::move(*scene);
     }
     return loaded;
+}
+
+SolverSettings solver_of(const Scene& scene) {
+    return scene.solver ? *scene.solver : pick_solver(scene.world).settings;
 }
 
 std::variant<OpenedGame, Problems> open_game(const LevelSource& source) {
@@ -86,7 +92,7 @@ std::variant<OpenedGame, Problems> open_game(const LevelSource& source) {
     }
     Scene& scene = *loaded.result.scene;
     const bool is_picked = !scene.solver;
-    const SolverSettings solver = is_picked ? pick_solver(scene.world).settings : *scene.solver;
+    const SolverSettings solver = solver_of(scene);
     return OpenedGame{Session(std::move(scene), solver, source.rewind_bytes), is_picked,
                       std::move(warnings)};
 }
@@ -94,9 +100,6 @@ std::variant<OpenedGame, Problems> open_game(const LevelSource& source) {
 std::variant<Replayer, Problems> reopen_game(const Replay& replay, std::size_t rewind_bytes) {
     LoadedLevel loaded = load(replay, rewind_bytes);
     if (!loaded.result.scene) return problems_of(loaded);
-    if (loaded.result.scene->text_hash != replay.level_hash)
-        return Problems{"The level has changed since the game was interrupted:", replay.level,
-                        "A game can only be resumed on the level that it was played on."};
     const auto is_available = [](SolverKind kind) {
         return std::ranges::count(solvers_available(), kind) > 0;
     };

@@ -21,6 +21,8 @@ struct LevelSource {
     std::optional<std::uint64_t> seed;
     std::vector<std::string> overrides;
     std::size_t rewind_bytes = Session::default_rewind_bytes;
+    /// The game that is played was begun on another text of the level, and keeps it.
+    bool is_earlier = false;
 };
 
 /// The level and options of the command line; `argument`: the level as the user names it.
@@ -30,7 +32,7 @@ LevelSource source_of(const PlayOptions& options, const std::string& argument);
 LevelSource source_of(const Replay& replay, std::size_t rewind_bytes);
 
 LoadedLevel load(const LevelSource& source);
-/// The level of an unfinished game. If its file is gone, the one in the recording.
+/// The level of an unfinished game. If its file is gone or has changed, the one in the recording.
 LoadedLevel load(const Replay& replay, std::size_t rewind_bytes);
 
 /// The reasons why a level cannot be played, line by line.
@@ -38,6 +40,9 @@ using Problems = std::vector<std::string>;
 
 /// Splits a text into lines.
 Problems lines_of(std::string_view text);
+
+/// The solver that computes the level: its own, else the one that carom picks.
+SolverSettings solver_of(const Scene& scene);
 
 struct OpenedGame {
     Session session;

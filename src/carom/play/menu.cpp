@@ -68,8 +68,6 @@ std::vector<std::string> obstacle_of(const InterruptedGame& game, const LoadedLe
     if (!loaded.error.empty())
         return {"Its level cannot be read, so it cannot be resumed:", game.replay.level};
     if (!loaded.result.scene) return {"Its level has errors now. Press enter to see them."};
-    if (loaded.result.scene->text_hash != game.replay.level_hash)
-        return {"Its level has changed since, so it cannot be resumed."};
     return {};
 }
 

@@ -33,14 +33,16 @@ std::vector<std::string> files_of(const Scene& scene, const std::string& path) {
 }
 
 // Gives the player the high scores of the table, if it keeps any. They are for the level as it is:
-// a statement or a solver of the player's own can make a table easier.
+// a statement or a solver of the player's own can make a table easier, and so can an earlier text.
 void show_high_scores(Player& player, const LevelSource& source) {
     const PinballTable& table = player.session().scene().table;
     if (!table.is_game) return;
     const bool is_own = source.solver || !source.overrides.empty();
-    if (is_own && table.highscores > 0 && !player.is_watching())
+    const bool is_new = player.session().latest() == 0;  // else it has been said
+    if (is_own && is_new && table.highscores > 0 && !player.is_watching())
         player.say("Changed by --set or --solver: no high scores here.");
-    if (is_own || table.highscores == 0) return player.set_high_scores({.lines = {}, .most = 0});
+    if (is_own || source.is_earlier || table.highscores == 0)
+        return player.set_high_scores({.lines = {}, .most = 0});
     HighScoresText kept = load_high_scores(high_scores_name(source.path), table.highscores);
     if (kept.problem) player.complain(*kept.problem);
     player.set_high_scores(std::move(kept.scores));
@@ -287,6 +289,7 @@ void Program::reload(RunningGame& game) {
     OpenedGame& fresh = std::get<OpenedGame>(opened);
     if (recording_) fresh.session.keep_all_commands();
     game.player = game.player.continued_with(std::move(fresh.session), fresh.solver_is_picked);
+    game.source.is_earlier = false;
     game.player.say(fresh.warnings.empty() ? "The level has changed: restarted."
                                            : fresh.warnings.front());
     game.watch = FileWatcher(files_of(game.player.session().scene(), game.source.path));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -112,7 +113,8 @@ struct AtTable {
 
     explicit AtTable(const TableHome& home, bool key_release = false, bool watch = false,
                      const char* preferences = "", bool resume = false,
-                     std::vector<std::string> set = {})
+                     std::vector<std::string> set = {},
+                     std::optional<SolverSettings> solver = std::nullopt)
         : program(
               [&] {
                   PlayOptions options;
@@ -120,6 +122,7 @@ struct AtTable {
                   options.watch = watch;
                   options.resume = resume;
                   options.overrides = std::move(set);
+                  options.solver = solver;
                   return options;
               }(),
               read_preferences(preferences, "preferences")) {
@@ -262,6 +265,52 @@ TEST_CASE("a game that was rewound and changed asks for no initials after it is 
         table.key(key::escape);
         table.key(U'q');
     }
+}
+
+TEST_CASE("a game with a solver of the player's own asks for no initials after it is resumed") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    for (const bool is_own : {false, true}) {
+        CAPTURE(is_own);
+        {
+            const SolverSettings substep{.kind = SolverKind::substep};
+            AtTable table(home, false, false, "", false, {},
+                          is_own ? std::optional(substep) : std::nullopt);
+            table.pass(1.0);
+            table.key(key::enter);
+            table.pass(1.0);
+            table.key(U'q');
+        }
+        AtTable table(home, false, false, "", true);
+        table.pass(0.1);
+        REQUIRE(table.sees("Resumed."));
+        table.key(U' ');
+        table.pass(10.0);
+        CHECK(table.sees("GAME OVER"));
+        CHECK(table.sees("YOUR INITIALS") == !is_own);
+        table.key(key::escape);
+        table.key(U'q');
+    }
+}
+
+TEST_CASE("a resumed game whose table has changed since asks for no initials") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    {
+        AtTable table(home);
+        table.pass(1.0);
+        table.key(key::enter);
+        table.pass(1.0);
+        table.key(U'q');
+    }
+    home.write("work.level", std::string(short_game) + "# changed\n");
+    AtTable table(home, false, false, "", true);
+    table.pass(0.1);
+    REQUIRE(table.sees("Resumed on its earlier level."));
+    table.key(U' ');
+    table.pass(10.0);
+    CHECK(table.sees("GAME OVER"));
+    CHECK_FALSE(table.sees("YOUR INITIALS"));
 }
 
 TEST_CASE("a game after a restart asks for initials, like the one before it") {
