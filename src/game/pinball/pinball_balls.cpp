@@ -72,7 +72,8 @@ void end_game(Pinball game) {
     }
     const auto drawn = random_bits(game.world.seed(), RandomStream::player, state.games, 0) % 10;
     const bool matches = static_cast<std::uint64_t>(state.score / 10 % 10) == drawn;
-    game.say(fmt::format("GAME OVER  MATCH {}0{}", drawn, matches ? "  A FREE GAME" : ""), 3600.0);
+    game.say(fmt::format("GAME OVER  MATCH {}0{}", drawn, matches ? "  YOUR SCORE MATCHES" : ""),
+             3600.0);
 }
 
 void end_ball(Pinball game) {

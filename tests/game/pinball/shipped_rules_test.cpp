@@ -155,3 +155,25 @@ TEST_CASE("a wizard mode begins without the jackpots of an earlier multiball") {
             CHECK(table.lit(group) == 0);
     }
 }
+
+// It promised a free game, which never came.
+TEST_CASE("the match at the end of a game says whether the score matches, and no more") {
+    int matches = 0;
+    for (std::uint64_t games = 1; games <= 40; ++games) {
+        CAPTURE(games);
+        ShippedTable table("night-vault");
+        PinballState& state = table.state();
+        state.games = games;
+        state.score = 12340;
+        state.ball = 3;
+        state.phase = PinballState::Phase::counting;
+        update_game(table.scene, table.world, table.game, {});
+        const bool is_drawn = state.message.starts_with("GAME OVER  MATCH 40");
+        CHECK(state.message.starts_with("GAME OVER  MATCH "));
+        CHECK(state.message.size() == (is_drawn ? 39 : 19));
+        CHECK(state.message.ends_with("  YOUR SCORE MATCHES") == is_drawn);
+        matches += is_drawn;
+    }
+    CHECK(matches > 0);
+    CHECK(matches < 40);
+}
