@@ -79,9 +79,11 @@ void dress_light(TableLight& light, const DeviceDress& dress) {
 
 }  // namespace
 
-// The camera follows the ball nearest to the drain, which matters most.
+// The camera follows the ball nearest to the drain, which matters most. Before the launch it shows
+// the whole table, with the lane that the plunger is to reach.
 void PinballDisplay::follow(const Session& session, double seconds) {
     celebrate(session, seconds);
+    camera_.approach(state_of(session).is_launched || !session.scene().table.is_game, seconds);
     const Balls& balls = session.world().balls();
     std::optional<std::size_t> lowest;
     for (std::size_t i = 0; i < balls.size(); ++i)

@@ -16,6 +16,7 @@ constexpr double foresight = 0.15;  // s; the camera aims at where the ball will
 // Of the visible height; the ball moves freely this far to either side of the centre.
 constexpr double calm = 0.15;
 constexpr double longest_step = 0.02;
+constexpr double approach_time = 0.4;  // s
 
 }  // namespace
 
@@ -32,6 +33,11 @@ void TableCamera::follow(double ball, double speed, double seconds) {
     }
 }
 
+void TableCamera::approach(bool near, double seconds) {
+    const double way = seconds / approach_time;
+    share_ = std::clamp(near ? share_ + way : share_ - way, 0.0, 1.0);
+}
+
 Camera TableCamera::look(const Box& table, double ball_radius, double ball_rows,
                          const CellArea& area, double aspect) {
     Camera camera = fit_camera(table, area, aspect);
@@ -40,7 +46,7 @@ Camera TableCamera::look(const Box& table, double ball_radius, double ball_rows,
     const double wide = area.columns / std::max(size(table).x, 1e-12);
     const double wanted = across > 0.0 ? ball_rows / across : all;
     const double near = std::min({wanted, all / least_share, wide});
-    if (near > least_zoom * all) camera.columns_per_length = near;
+    if (near > least_zoom * all) camera.columns_per_length = all + share_ * (near - all);
     const double seen = area.rows * camera.aspect / camera.columns_per_length;
     const double low = table.low.y + 0.5 * seen;
     const double high = table.high.y - 0.5 * seen;

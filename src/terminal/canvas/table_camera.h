@@ -13,6 +13,9 @@ class TableCamera {
     /// wall-clock time. A ball near the centre of the view does not move the camera.
     void follow(double ball, double speed, double seconds);
 
+    /// Glides towards the part around the ball, or back to the whole table.
+    void approach(bool near, double seconds);
+
     /// The camera for this window. It shows the whole table where a ball of `ball_radius` is then
     /// large enough, else a part at least `least_share` of the table high. `ball_rows`: the wanted
     /// diameter of a ball, in rows.
@@ -23,6 +26,7 @@ class TableCamera {
     double height_ = 0.0;   ///< of the centre of the view, in the world
     double speed_ = 0.0;    ///< upwards, length/s
     double seen_ = 0.0;     ///< height of the view; 0: not known yet
+    double share_ = 1.0;    ///< how far it has come near: 0 shows the whole table
     double lowest_ = 0.0;   ///< lowest position of the centre
     double highest_ = 0.0;  ///< highest position of the centre
 };

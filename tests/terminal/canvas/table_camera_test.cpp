@@ -50,3 +50,20 @@ TEST_CASE("the view glides after the ball, stops at the ends, and never jumps") 
     calm.follow(start + 0.02, 0.0, 1.0);
     CHECK(calm.look(table, radius, 1.0, area, 2.0).center.y == start);
 }
+
+TEST_CASE("the camera glides from the part around the ball to the whole table and back") {
+    TableCamera camera;
+    const CellArea area{0, 0, 60, 20};
+    const auto scale = [&] {
+        return camera.look(table, radius, 1.0, area, 2.0).columns_per_length;
+    };
+    const double near = scale();
+    camera.approach(false, 0.2);
+    const double between = scale();
+    CHECK(between < near);
+    camera.approach(false, 1.0);
+    CHECK(camera.look(table, radius, 1.0, area, 2.0) == fit_camera(table, area, 2.0));
+    CHECK(scale() < between);
+    camera.approach(true, 1.0);
+    CHECK(scale() == near);
+}
