@@ -156,6 +156,20 @@ TEST_CASE("a wizard mode begins without the jackpots of an earlier multiball") {
     }
 }
 
+TEST_CASE("every combo of Night Vault is two shots, and worth the same") {
+    ShippedTable table("night-vault");
+    table.happen("keys", 0, RuleEvent::enter);  // the skill shot is over
+    for (int combo = 0; combo < 3; ++combo) {
+        const std::int64_t before = table.state().score;
+        table.happen("inlanes", 0, RuleEvent::enter);
+        table.happen("guards", 0, RuleEvent::hit);
+        CHECK(table.state().message == "COMBO");
+        CHECK(table.state().score - before == 100 + 250 + 1000);
+        table.happen("guards", 0, RuleEvent::hit);  // without an inlane it is none
+        CHECK(table.state().score - before == 100 + 2 * 250 + 1000);
+    }
+}
+
 // It promised a free game, which never came.
 TEST_CASE("the match at the end of a game says whether the score matches, and no more") {
     int matches = 0;
