@@ -170,6 +170,16 @@ TEST_CASE("every combo of Night Vault is two shots, and worth the same") {
     }
 }
 
+TEST_CASE("a trip that begins at the station of Cable Car is told, though a car stops there too") {
+    ShippedTable table("cable-car");
+    table.happen("lanes", 0, RuleEvent::enter);  // the skill shot is over
+    table.light("open", 1);
+    table.light("depart", 1);
+    table.happen("station", 0, RuleEvent::enter);
+    CHECK(table.state().message == "EXPRESS");
+    CHECK(table.lit("locks") == 1);
+}
+
 // It promised a free game, which never came.
 TEST_CASE("the match at the end of a game says whether the score matches, and no more") {
     int matches = 0;
