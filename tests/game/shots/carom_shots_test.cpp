@@ -28,9 +28,9 @@ struct Kinds {
 
 // Plays shots all around from the opening position, and checks that a game of so many cushions
 // gives a point to those whose story has them before the second ball, and to no others.
-Kinds played(const char* level, std::int64_t cushions) {
+Kinds played(const char* level, std::int64_t cushions, std::vector<std::string> changes = {}) {
     Kinds kinds;
-    const Scene scene = shipped_level(level);
+    const Scene scene = shipped_level(level, changes);
     for (int degrees = 0; degrees < 360; ++degrees) {
         ShotsGame game(scene);
         const double angle = degrees * 3.14159265358979323846 / 180.0;
@@ -61,7 +61,7 @@ bool has_story(const Kinds& kinds, const char* beginning) {
 }  // namespace
 
 TEST_CASE("three-cushion: natural, rail-first, umbrella and bank shots score, and nothing else") {
-    const Kinds kinds = played("three-cushion", 3);
+    const Kinds kinds = played("three-cushion", 3, {"let opening=0"});
     CHECK(has_story(kinds, "1ccc"));   // natural: a ball, three cushions, the other ball
     CHECK(has_story(kinds, "c1cc"));   // rail first
     CHECK(has_story(kinds, "cc1c"));   // umbrella: two cushions, a ball, a third cushion
@@ -100,6 +100,39 @@ TEST_CASE("three-cushion: the opening shot scores off the red, by three cushions
             }
     CHECK(std::ranges::any_of(stories,
                               [](const std::string& story) { return story.starts_with("1ccc"); }));
+}
+
+// World rules of carom billiards (UMB), "Starting position": by direct attack on the red ball.
+TEST_CASE("three-cushion: the first shot of a game scores only straight off the red") {
+    const auto strikes = [](const ShotsGame& game) {
+        std::vector<command::Strike> all;
+        for (int degrees = 0; degrees < 360; ++degrees) {
+            const double angle = degrees * 3.14159265358979323846 / 180.0;
+            all.push_back(struck(game, {std::cos(angle), std::sin(angle)}, 6.0, 0.0));
+        }
+        return all;
+    };
+    ShotsGame game(shipped_level("three-cushion"));
+    ShotsGame free(shipped_level("three-cushion", {"let opening=0"}));
+    int astray = 0;
+    for (const command::Strike& strike : strikes(game)) {
+        const ShotsState after = game.after(strike);
+        if (after.players[0].score > 0) continue;
+        CHECK(after.rules.player == 1);
+        if (free.after(strike).players[0].score == 0) continue;
+        CHECK(after.message == "No point: the first shot goes straight at the red.");
+        ++astray;
+    }
+    CHECK(astray > 0);
+    // Any later shot is free: the second player's first one, too.
+    game.shoot_softly();
+    int points = 0;
+    for (const command::Strike& strike : strikes(game)) {
+        const ShotsState after = game.after(strike);
+        CHECK(after.message.find("first shot") == std::string::npos);
+        points += after.players[1].score > 0;
+    }
+    CHECK(points > 0);
 }
 
 // "The Diamond System" (E. Perreault with the Billard Club Sottevillais): aim = start - finish,

@@ -24,7 +24,7 @@ inline Vec2 in_diamonds(double x, double y) {
 
 /// Three-cushion with the balls at these places: white, yellow, red.
 inline Scene placed(std::array<Vec2, 3> places) {
-    Scene scene = shipped_level("three-cushion");
+    Scene scene = shipped_level("three-cushion", {"let opening=0"});
     for (std::size_t i = 0; i < places.size(); ++i)
         scene.world.edit_balls().position[i] = places[i];
     return scene;
