@@ -84,8 +84,9 @@ void EnergyCheck::begin(const World& world) {
 }
 
 void EnergyCheck::take_over(const World& world) {
-    const double given = energy_of(world) - energy_;
-    baseline_ += given;
+    // The rest is subtracted first: where the change is great, as from a huge gravity to none, a
+    // baseline that equals the energy stays equal to it.
+    baseline_ = energy_of(world) + (baseline_ - energy_);
 }
 
 void EnergyCheck::restart(const World& world) {
