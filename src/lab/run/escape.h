@@ -11,7 +11,9 @@ namespace carom {
 /// Counts balls outside a closed outline (a closed edge, a box) in which they started.
 ///
 /// A ball is inside if its centre is, by the even-odd rule, inside the spines of the outline's
-/// capsules; so a ball that is merely pressed into a wall is inside. Removed balls do not count.
+/// capsules; so a ball that is merely pressed into a wall is inside. On a torus an
+/// outline may reach across the border, so any image of the centre may be inside, up to a whole
+/// torus away, as for contacts with edges. Removed balls do not count.
 /// The start of a ball from an emitter is its position at the end of the tick in which it was
 /// added.
 class EscapeWatch {
@@ -30,6 +32,8 @@ class EscapeWatch {
         std::vector<Capsule> spines;
 
         bool contains(Vec2 point) const;
+        /// Whether it contains the point or, on a torus, one of its images.
+        bool contains(const World& world, Vec2 point) const;
     };
 
     std::vector<Outline> outlines_;

@@ -64,6 +64,27 @@ TEST_CASE("a ball has escaped when it is outside an outline in which it started"
     }
 }
 
+// Regression: a ball that crossed the border of the torus inside such an outline had escaped.
+TEST_CASE("on a torus a ball stays inside an outline that reaches across the border") {
+    for (const Vec2 shift : {Vec2{0, 0}, Vec2{-5, 0}, Vec2{0, -5}, Vec2{-5, -5}}) {
+        CAPTURE(shift.x);
+        CAPTURE(shift.y);
+        Rooms rooms;
+        rooms.scene.world.edit_definition().model.wrap = Box{{0, 0}, {40, 40}};
+        rooms.scene.outlines.clear();
+        rooms.add_box(shift, shift + Vec2{10, 10});
+        const BallId ball = rooms.add({2, 2});
+        const EscapeWatch watch(rooms.scene);
+        CHECK(watch.escaped(rooms.scene.world) == 0);
+        const Vec2 inside = shift + Vec2{2, 2};
+        rooms.move(ball, {inside.x < 0 ? inside.x + 40 : inside.x,
+                          inside.y < 0 ? inside.y + 40 : inside.y});
+        CHECK(watch.escaped(rooms.scene.world) == 0);
+        rooms.move(ball, {20, 20});
+        CHECK(watch.escaped(rooms.scene.world) == 1);
+    }
+}
+
 TEST_CASE("a ball whose position is NaN has escaped") {
     Rooms rooms;
     const BallId ball = rooms.add({2, 2});
