@@ -81,7 +81,6 @@ class PoolController : public FreeController {
         double least = 0.0;  ///< a shorter pull does not shoot, length
         ShotSetup before;    ///< the aim, if no shot comes of it
     };
-    bool is_on_stick(const PlayContext& play) const;
     Pull grip(const PlayContext& play) const;
     double pulled(const PlayContext& play) const;
     bool takes_key(PlayContext& play, const InputEvent& event);

@@ -32,6 +32,16 @@ std::uint64_t shot_number(const Session& session) {
     return pool ? pool->shots : 0;
 }
 
+/// Whether the pointer is on the cue as it is drawn. Pre: aim.may_aim().
+bool is_on_stick(const PlayContext& play, const PoolAim& aim) {
+    const PoolAnnotations::Line stick = aim.stick(play.session);
+    const double long_ = length(stick.to - stick.from);
+    const Vec2 back = (stick.to - stick.from) / long_;
+    const double along = dot(play.pointer.at - stick.from, back);
+    return along >= 0.0 && along <= long_ &&
+           distance(stick.from + back * along, play.pointer.at) <= slack(play);
+}
+
 }  // namespace
 
 // In a match the past is only looked at: a shot from there would take back what came after.
@@ -97,15 +107,6 @@ void PoolController::start_push(PlayContext& play) {
     stroke_.start_push(MouseStroke(pull_->from, way, pull_->least, grain, stroke_.time(after_)));
 }
 
-bool PoolController::is_on_stick(const PlayContext& play) const {
-    const PoolAnnotations::Line stick = aim_.stick(play.session);
-    const double long_ = length(stick.to - stick.from);
-    const Vec2 back = (stick.to - stick.from) / long_;
-    const double along = dot(play.pointer.at - stick.from, back);
-    return along >= 0.0 && along <= long_ &&
-           distance(stick.from + back * along, play.pointer.at) <= slack(play);
-}
-
 PoolController::Pull PoolController::grip(const PlayContext& play) const {
     const World& world = play.session.world();
     const double radius = world.balls().radius[*index_of(world, *aim_.cue_ball(play.session))];
@@ -166,7 +167,7 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     pull_.reset();
     const bool takes_cue = !is_left || at_pointer == cue;
     if (!takes_cue && aim_.call_pocket(play.session, pointer.at)) return true;
-    if (takes_cue || is_on_stick(play)) {
+    if (takes_cue || is_on_stick(play, aim_)) {
         pull_ = grip(play);
         pointer.cue_is_armed = false;
         pointer.tool.take_cue(*cue, pointer.at);

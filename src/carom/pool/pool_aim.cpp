@@ -42,19 +42,15 @@ PoolAim::PoolAim(const Session& session) {
     begin_turn(session);
 }
 
-const PoolPlay* PoolAim::play(const Session& session) const {
-    return std::get_if<PoolPlay>(&session.game());
-}
-
 std::optional<BallId> PoolAim::cue_ball(const Session& session) const {
     const ShotsState* const shots = shots_of(session);
     if (shots && chosen_) {
         const std::vector<BallId> balls = cue_balls_of(session.scene(), *shots);
         if (std::ranges::count(balls, *chosen_) > 0) return chosen_;
     }
-    const auto ball = shots           ? cue_ball_of(session.scene(), *shots)
-                      : play(session) ? play(session)->balls[0]
-                                      : std::optional(session.scene().pool.cue->ball);
+    const auto ball = shots              ? cue_ball_of(session.scene(), *shots)
+                      : pool_of(session) ? pool_of(session)->balls[0]
+                                         : std::optional(session.scene().pool.cue->ball);
     if (!ball || !index_of(session.world(), *ball)) return std::nullopt;
     return ball;
 }
@@ -62,7 +58,7 @@ std::optional<BallId> PoolAim::cue_ball(const Session& session) const {
 bool PoolAim::may_aim(const Session& session) const {
     const auto ball = cue_ball(session);
     if (!ball) return false;
-    if (const PoolPlay* game = play(session)) return !refusal_to_shoot(*game, *ball);
+    if (const PoolPlay* game = pool_of(session)) return !refusal_to_shoot(*game, *ball);
     if (const ShotsState* shots = shots_of(session))
         return !refusal_to_shoot(session.world(), *shots);
     return is_at_rest(session.world());
@@ -70,7 +66,7 @@ bool PoolAim::may_aim(const Session& session) const {
 
 bool PoolAim::may_place(const Session& session) const {
     if (const ShotsState* shots = shots_of(session)) return shots->is_in_hand && may_aim(session);
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     return may_aim(session) && (!game || game->rules.in_hand != CueInHand::no);
 }
 
@@ -80,7 +76,7 @@ const Cue& cue_in_turn(const Session& session) {
 }
 
 void PoolAim::begin_turn(const Session& session) {
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     const bool is_break = game && game->rules.phase == PoolPhase::breaking;
     const double speed = !is_break                            ? usual_speed
                          : game->rules.referee->breaks_hard() ? break_speed

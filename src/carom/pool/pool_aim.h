@@ -89,7 +89,6 @@ class PoolAim {
   private:
     using Intent = ShotSetup::Intent;
 
-    const PoolPlay* play(const Session& session) const;
     PoolCall call(const Session& session) const;
     std::vector<BallId> targets(const Session& session) const;
     void begin_turn(const Session& session);
@@ -98,7 +97,6 @@ class PoolAim {
     void aim_first(const Session& session);
     void aim_at_corner(const Session& session);
     void aim_at_nearest(const Session& session);
-    bool is_break(const Session& session) const;
     Aids shown_aids() const;
     std::string next_target(const Session& session, bool backwards);
     std::optional<int> marked_pocket(const Session& session) const;

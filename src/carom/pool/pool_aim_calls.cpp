@@ -30,7 +30,7 @@ std::optional<int> nearest_pocket(const Session& session, Vec2 object, Vec2 way)
 }  // namespace
 
 bool PoolAim::call_pocket(const Session& session, Vec2 place) {
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     if (!game || !may_call(game->rules, PoolCall::Kind::pot) ||
         !game->rules.referee->calls_pocket())
         return false;
@@ -46,7 +46,7 @@ bool PoolAim::call_pocket(const Session& session, Vec2 place) {
 }
 
 std::string PoolAim::next_call(const Session& session) {
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     if (!game || game->rules.phase != PoolPhase::playing) return "Nothing is called now.";
     if (game->rules.may_push_out) {
         setup_.intent = setup_.intent == Intent::push_out ? Intent::automatic : Intent::push_out;
@@ -63,7 +63,7 @@ std::string PoolAim::next_call(const Session& session) {
 
 // The pocket that the player called, or the legal ball and pocket that the forecast shows.
 PoolCall PoolAim::call(const Session& session) const {
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     if (!game || game->rules.phase != PoolPhase::playing) return {};
     const PoolState& rules = game->rules;
     if (rules.may_push_out && setup_.intent == Intent::push_out)
@@ -98,7 +98,7 @@ std::vector<Command> PoolAim::shot(const Session& session) {
     look(session);
     std::vector<Command> commands;
     const PoolCall what = call(session);
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     if (game && game->rules.phase == PoolPhase::playing && !(what == game->call))
         commands.push_back(command::CallShot{what});
     commands.push_back(strike(session));

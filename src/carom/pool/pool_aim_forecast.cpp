@@ -14,13 +14,8 @@ constexpr std::uint64_t cloud_size = 20;
 
 }  // namespace
 
-bool PoolAim::is_break(const Session& session) const {
-    const PoolPlay* game = play(session);
-    return game && game->rules.phase == PoolPhase::breaking;
-}
-
 void PoolAim::look(const Session& session) {
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     const ShotsState* shots = shots_of(session);
     if (!may_aim(session)) {
         is_seen_ = false;

@@ -52,7 +52,7 @@ Vec2 end_of_way(const World& world, const Disc& ball, Vec2 way, double most) {
 
 std::vector<PoolAnnotations::Number> numbers_of(const Session& session) {
     std::vector<PoolAnnotations::Number> numbers;
-    if (const auto* play = std::get_if<PoolPlay>(&session.game())) {
+    if (const auto* play = pool_of(session)) {
         const std::size_t count = play->rules.referee->has_numbers() ? play->balls.size() : 1;
         for (std::size_t ball = 0; ball < count; ++ball)
             if (const auto id = play->balls[ball]) numbers.push_back({*id, static_cast<int>(ball)});
@@ -88,7 +88,7 @@ std::vector<PoolAnnotations::Returned> returned_of(const Session& session) {
 
 // The pocket that is called, or the only one that serves the player.
 std::optional<int> PoolAim::marked_pocket(const Session& session) const {
-    const PoolPlay* const game = play(session);
+    const PoolPlay* const game = pool_of(session);
     if (game && !game->rules.referee->calls_pocket()) return std::nullopt;
     const PoolCall called = call(session);
     if (setup_.intent == Intent::pocket && called.kind != PoolCall::Kind::pot) return setup_.pocket;

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "carom/pool/pool_aim.h"
+#include "carom/pool/pool_status.h"
 #include "game/ai/pool_shots.h"
 #include "game/ai/pool_value.h"
 #include "game/commands/aiming.h"
@@ -49,7 +50,7 @@ bool is_cue_ball(const Scene& scene, BallId ball) {
 
 std::vector<BallId> PoolAim::targets(const Session& session) const {
     std::vector<BallId> balls;
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     const auto cue = cue_ball(session);
     for (const BallId id : session.world().balls().id) {
         if (id == cue) continue;
@@ -61,7 +62,7 @@ std::vector<BallId> PoolAim::targets(const Session& session) const {
 }
 
 void PoolAim::aim_first(const Session& session) {
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     const bool is_opening =
         game && game->rules.phase == PoolPhase::breaking && !game->rules.referee->breaks_hard();
     if (is_opening)
@@ -118,7 +119,7 @@ std::string PoolAim::next_target(const Session& session, bool backwards) {
     const BallId ball = balls[pot_ % balls.size()];
     setup_.bearing = bearing_to(place_at(session.world(), ball) - place_at(session.world(), *cue));
     has_aimed_ = true;
-    const PoolPlay* game = play(session);
+    const PoolPlay* game = pool_of(session);
     const auto number = game ? number_of(*game, ball) : std::nullopt;
     return pot_text_ = fmt::format("Full at {}{}",
                                    number ? game->rules.referee->ball_name(*number) : "the ball",
@@ -131,7 +132,7 @@ std::string PoolAim::next_pot(const Session& session, bool backwards) {
     const auto cue = cue_ball(session);
     if (!cloth || !cue) return "There are no pockets here.";
     const World& world = session.world();
-    const PoolPlay* const game = play(session);
+    const PoolPlay* const game = pool_of(session);
     const auto lines = game ? useful_lines(session.scene(), world, *game, *cloth,
                                            place_at(world, *cue), targets(session))
                             : pot_lines(session.scene(), world, *cloth, *cue, place_at(world, *cue),

@@ -12,6 +12,11 @@ const ShotsState* shots_of(const Session& session) {
     return std::get_if<ShotsState>(&session.game());
 }
 
+bool is_break(const Session& session) {
+    const PoolPlay* const game = pool_of(session);
+    return game && game->rules.phase == PoolPhase::breaking;
+}
+
 bool has_turns(const Session& session) {
     return pool_of(session) || shots_of(session);
 }

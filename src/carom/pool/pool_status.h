@@ -15,6 +15,8 @@ namespace carom {
 const PoolPlay* pool_of(const Session& session);
 /// The state of the session's game of shots (game/shots/shots.h); null if there is none.
 const ShotsState* shots_of(const Session& session);
+/// Whether the next shot is the break of a game of pool.
+bool is_break(const Session& session);
 /// Whether rules decide who shoots: a game of pool or of shots.
 bool has_turns(const Session& session);
 
