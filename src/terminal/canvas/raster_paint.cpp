@@ -224,17 +224,20 @@ void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Br
     if (!is_finite(start) || !is_finite(end) || !std::isfinite(radius) || radius < 0.0) return;
     Brush brush = painted;
     brush.ink = visible(painted.ink);
+    const bool is_point = start.x == end.x && start.y == end.y;
+    const bool is_flat = std::abs(end.x - start.x) * height_ >= std::abs(end.y - start.y) * width_;
+    const double half_pixel = is_point ? 0.0 : 0.5 * (is_flat ? height_ : width_);
+    const bool is_thin = radius <= std::max(hairline(), half_pixel);
     // An axis-parallel line as thin as a pixel is drawn exactly one pixel thick wherever it lies,
     // not as two faint ones, so that all bars in a row look alike. (Renderers with regions have
     // characters for lines in between.)
-    if (radius <= hairline() && !renderer_->has_regions()) {
+    if (is_thin && !renderer_->has_regions()) {
         if (start.x == end.x) start.x = end.x = middle_of_sample(start.x, width_);
         if (start.y == end.y) start.y = end.y = middle_of_sample(start.y, height_);
     }
     const bool is_sharp = (is_sharp_ && renderer_->is_sharp) || brush.is_crisp;
-    if (radius <= hairline() && is_sharp && renderer_->has_pixels() && brush.tone > 0)
+    if (is_thin && is_sharp && renderer_->has_pixels() && brush.tone > 0)
         return thin_line(start, end, brush);
-    const bool is_point = start.x == end.x && start.y == end.y;
     if (renderer_->has_regions() && !is_point && radius <= widest_line && brush.tone > 0) {
         return lines_.draw({start.x, start.y / aspect_}, {end.x, end.y / aspect_}, brush.ink,
                            brush.tone < least_strong);

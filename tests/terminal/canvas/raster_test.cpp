@@ -159,6 +159,22 @@ TEST_CASE("axis-parallel hairlines are one pixel thick at any position") {
     }
 }
 
+TEST_CASE("a level line nearly as thick as a pixel is seen wherever it lies") {
+    for (const Renderer& renderer : renderers().subspan(1)) {
+        const double radius = 0.48 * 2.0 / renderer.down;
+        for (double place = 3.0; place < 5.0; place += 0.05) {
+            Raster level(renderer, 10, 5, 2.0);
+            level.capsule({-1.0, place}, {11.0, place}, radius, solid);
+            int lit_down = 0;
+            for (int i = 0; i < level.samples_down(); ++i)
+                lit_down += level.level_at(5, i) > 200;
+            CAPTURE(renderer.name);
+            CAPTURE(place);
+            CHECK(lit_down == 1);
+        }
+    }
+}
+
 TEST_CASE("dots show the position of a small disc within its cell") {
     Raster raster(ascii_renderer(), 4, 1, 2.0);
     raster.disc({0.25, 0.3}, 0.01, 0.0, solid);
