@@ -23,6 +23,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -91,6 +92,10 @@ std::string described(const InputEvent& event) {
     return {};
 }
 
+bool is_end(const InputEvent& event) {
+    return event.kind == InputEvent::Kind::end || event.kind == InputEvent::Kind::hangup;
+}
+
 int echo_events(Screen& screen) {
     bool is_ready = false;
     for (unsigned events = 0;;) {
@@ -109,9 +114,8 @@ int echo_events(Screen& screen) {
                 screen.set_mouse(is_off ? MouseMode::motion : MouseMode::off);
             }
             if (event.kind == InputEvent::Kind::key && event.key == U'b') screen.bell();
-            const bool is_end =
-                event.kind == InputEvent::Kind::end || event.kind == InputEvent::Kind::hangup;
-            if (is_end || (event.kind == InputEvent::Kind::key && event.key == U'q')) return 7;
+            if (is_end(event) || (event.kind == InputEvent::Kind::key && event.key == U'q'))
+                return 7;
         }
     }
 }
@@ -168,9 +172,8 @@ int show_frames(Screen& screen, int count, RendererChoice renderer, const std::s
         if (frame > 0) most_writes = std::max(most_writes, terminal_writes - before);
         for (int i = 0; i < ticks; ++i)
             solver.tick(world);
-        while (screen.frames_answered() < asked) {
-            screen.wait(0.1);
-        }
+        while (screen.frames_answered() < asked)
+            if (std::ranges::any_of(screen.wait(0.1), is_end)) return 7;
     }
     log(fmt::format("frames {} writes {} most {} bytes {}", count, terminal_writes - first_writes,
                     most_writes, (terminal_bytes - first_bytes) / static_cast<unsigned>(count)));
@@ -203,9 +206,7 @@ int show_random(Screen& screen, int count) {
         }
         if (random(50) == 0) screen.redraw();
         screen.show(canvas);
-        for (const InputEvent& event : screen.wait(0.0)) {
-            if (event.kind == InputEvent::Kind::end) return 7;
-        }
+        if (std::ranges::any_of(screen.wait(0.0), is_end)) return 7;
     }
     for (int row = 0; row < canvas.rows(); ++row) {
         for (int column = 0; column < canvas.columns(); ++column) {
@@ -257,9 +258,7 @@ int draw_when_stuck(Screen& screen) {
     canvas.write(0, 0, "drawn");
     screen.redraw();
     screen.show(canvas);
-    for (const InputEvent& event : screen.wait(1.0))
-        if (event.kind == InputEvent::Kind::end) return 7;
-    return 1;
+    return std::ranges::any_of(screen.wait(1.0), is_end) ? 7 : 1;
 }
 
 struct Arguments {

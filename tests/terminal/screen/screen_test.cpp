@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -79,6 +80,15 @@ TEST_CASE("a frame is one write, and 200 discs stay within the budget of bytes")
         CHECK(program.exit_status() == 0);
         CHECK(program.what_is_left_dirty() == "");
     }
+}
+
+TEST_CASE("a program that waits for its frames ends when the terminal hangs up") {
+    TerminalProgram program(probe("ascii frames 1000000"));
+    REQUIRE(program.wait_until([&] { return program.output().size() > 10000; }));
+    program.hang_up();
+    const std::optional<int> status = program.wait_for_end();
+    REQUIRE(status);
+    CHECK((WIFEXITED(*status) && WEXITSTATUS(*status) == 7));
 }
 
 TEST_CASE("the terminal shows the canvas, cell by cell, after any changes") {
