@@ -10,27 +10,25 @@ namespace carom {
 
 namespace {
 
-// The least difference in OKLab's lightness. Dark red on dark blue has 0.1, and is unreadable.
-constexpr double least_contrast = 0.25;
 // Lighter ground takes dark text.
 constexpr double middle = 0.6;
 
-Color make_legible(Color ink, Color ground, int colors) {
+Color make_legible(Color ink, Color ground, double contrast, int colors) {
     Lab text = lab_of(rgb_of(ink));
     const double below = lab_of(rgb_of(ground)).lightness;
-    if (std::abs(text.lightness - below) >= least_contrast) return ink;
-    text.lightness =
-        std::clamp(below < middle ? below + least_contrast : below - least_contrast, 0.0, 1.0);
+    if (std::abs(text.lightness - below) >= contrast) return ink;
+    text.lightness = std::clamp(below < middle ? below + contrast : below - contrast, 0.0, 1.0);
     return color_for_terminal(direct_color(rgb_of(text)), colors);
 }
 
 }  // namespace
 
-Color legible_on(Color ink, Color ground, const Look& look) {
+Color legible_on(Color ink, Color ground, const Look& look, double contrast) {
     if (!look.has_shades() || ink < 0 || ground < 0) return ink;
     struct Known {
         Color ink = default_color;
         Color ground = default_color;
+        double contrast = 0.0;
         int colors = 0;
         Color legible = default_color;
     };
@@ -38,8 +36,10 @@ Color legible_on(Color ink, Color ground, const Look& look) {
     const auto hash = static_cast<std::uint32_t>(ink) * 2654435761u ^
                       static_cast<std::uint32_t>(ground) * 2246822519u;
     Known& known = cache[hash >> 24];
-    if (known.ink != ink || known.ground != ground || known.colors != look.colors)
-        known = {ink, ground, look.colors, make_legible(ink, ground, look.colors)};
+    if (known.ink != ink || known.ground != ground || known.contrast != contrast ||
+        known.colors != look.colors)
+        known = {ink, ground, contrast, look.colors,
+                 make_legible(ink, ground, contrast, look.colors)};
     return known.legible;
 }
 

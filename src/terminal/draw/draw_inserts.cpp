@@ -5,6 +5,7 @@
 #include "geometry/elementary.h"
 #include "geometry/polygon.h"
 #include "terminal/canvas/character_width.h"
+#include "terminal/canvas/legible.h"
 #include "terminal/draw/board_texts.h"
 #include "terminal/draw/draw_parts.h"
 
@@ -15,6 +16,8 @@ namespace {
 
 // An unlit insert is translucent plastic: this share of its colour on the board.
 constexpr double unlit_share = 0.34;
+// Of an unlit insert's name to the board: a player looks for it, so it is lighter than its insert.
+constexpr double name_contrast = 0.34;
 // The glow around a lit insert, in radii; smaller inserts, in columns, have none.
 constexpr double halo_share = 1.4;
 constexpr double least_halo = 1.2;
@@ -153,6 +156,12 @@ Color unlit(Color color, double share, int column, int row, const View& view) {
     return dimmed(color, share, view.memory.ground.behind(column, row), view.options.look);
 }
 
+Color unlit_name(Color color, int column, int row, const View& view) {
+    constexpr double share = 0.6;
+    return legible_on(unlit(color, share, column, row, view),
+                      view.memory.ground.behind(column, row), view.options.look, name_contrast);
+}
+
 double halo_radius(const View& view, const TableLight& light) {
     const double radius = light.shape.radius * view.camera.columns_per_length;
     return radius >= least_halo ? halo_share * radius : 0.0;
@@ -206,7 +215,7 @@ void write_insert_names(BoardTexts& texts, const View& view) {
         if (texts.covers_light({row, first, first + width})) continue;
         Ink ink = light.color ? dress_ink(*light.color, look) : ink_of_class(light.family, look);
         ink.attributes = light.is_lit ? bold : plain;
-        if (!light.is_lit) ink.color = unlit(ink.color, 0.6, first + width / 2, row, view);
+        if (!light.is_lit) ink.color = unlit_name(ink.color, first + width / 2, row, view);
         if (!look.has_colors()) ink.attributes = light.is_lit ? bold : dim;
         texts.write(first, row, light.text, ink);
     }

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -41,13 +42,17 @@ struct Picture {
         draw_world(canvas, fit_camera(scene.view, {0, 0, 60, 30}, 2.0), scene, scene.world, {},
                    annotations, options, memory);
     }
-    // The brightness of the first letter that is this one; 2: there is none.
-    double brightness_of(char32_t letter) const {
+    // The first cell with this letter; an empty one: there is none.
+    Cell first(char32_t letter) const {
         for (int row = 0; row < canvas.rows(); ++row)
             for (int column = 0; column < canvas.columns(); ++column)
-                if (canvas.at(column, row).glyph == letter)
-                    return luminance(rgb_of(canvas.at(column, row).foreground));
-        return 2.0;
+                if (canvas.at(column, row).glyph == letter) return canvas.at(column, row);
+        return {};
+    }
+    // 2: no cell has it.
+    double brightness_of(char32_t letter) const {
+        const Cell cell = first(letter);
+        return cell.glyph == letter ? luminance(rgb_of(cell.foreground)) : 2.0;
     }
     int count(Color color) const {
         int found = 0;
@@ -58,6 +63,14 @@ struct Picture {
         return found;
     }
 };
+
+// The relative luminance that WCAG 2 computes its contrast ratio from; a ratio of 3 is meant for
+// large text.
+double light_of(Color color) {
+    const Rgb rgb = rgb_of(color);
+    const auto linear = [](int channel) { return std::pow(channel / 255.0, 2.2); };
+    return 0.2126 * linear(rgb.red) + 0.7152 * linear(rgb.green) + 0.0722 * linear(rgb.blue);
+}
 
 }  // namespace
 
@@ -88,6 +101,24 @@ TEST_CASE("the name of an unlit insert is dark on a dark board, whatever the scr
             table.lights.front().is_lit = true;
             const double lit = Picture(table, *renderer, board, is_light).brightness_of(U'J');
             CHECK(unlit < lit - 0.1);
+        }
+}
+
+TEST_CASE("the name of an unlit insert can be read on a dark board") {
+    for (const std::string board : {"navy", "#241a1c", "#1d3329", "#1c1a2e"})
+        for (const Rgb24 color : {0xd62f2f, 0x8a4ad0, 0xe3b341, 0x3f7fd0}) {
+            CAPTURE(board);
+            CAPTURE(color);
+            TableAnnotations table;
+            table.lights = {light_at({30, 30}, InsertShape::circle, false)};
+            table.lights.front().color = color;
+            const Picture picture(table, ascii_renderer(),
+                                  "theme board=" + board + "\nbox 0,0 60,60\n");
+            const Cell name = picture.first(U'J');
+            REQUIRE(name.glyph == U'J');
+            const double ratio =
+                (light_of(name.foreground) + 0.05) / (light_of(name.background) + 0.05);
+            CHECK(ratio > 3.0);
         }
 }
 
