@@ -37,7 +37,7 @@ double error_of(const Lab& shown, const Lab& wanted) {
     constexpr double lightness_weight = 0.2;
     constexpr double paler_weight = 0.5;
     constexpr double richer_weight = 0.25;
-    constexpr double hue_weight = 0.04;
+    constexpr double hue_weight = 0.06;
     const auto square = [](double x) { return x * x; };
     const double hued = vividness(chroma_of(wanted));
     const double richer = chroma_of(shown) - chroma_of(wanted);
@@ -58,7 +58,7 @@ double merging(const Lab& shown, const Lab& other_shown, const Lab& wanted,
     return lost * lost;
 }
 
-constexpr double merging_weight = 0.006;  // of the mean over the neighbours
+constexpr double merging_weight = 0.003;  // of the mean over the neighbours
 
 struct Candidates {
     std::array<Lab, color_count> labs;

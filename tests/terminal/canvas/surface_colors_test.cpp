@@ -73,3 +73,17 @@ TEST_CASE("surfaces: what is nearly grey stays so, and 24-bit colours are as the
         for (const Color color : surface_colors(wanted, {}, look_with(few)))
             CHECK(color < few);
 }
+
+TEST_CASE("surfaces: a fairway is no teal, and a lane of pale wood no bright orange") {
+    // Of mini-golf's windmill: the board, the fairway, and the ring around the hole.
+    const std::array golf{felt, Rgb{46, 125, 67}, Rgb{52, 138, 75}};
+    const std::array greens{Neighbours{0, 1}, Neighbours{1, 2}};
+    const std::vector<Color> shown = surface_colors(golf, greens, look_with(256));
+    CHECK(degrees_apart(rgb_of(shown[1]), golf[1]) < 10.0);
+    CHECK(shown[2] != shown[1]);
+    // Of skittles: the lane, and what lies around it.
+    const std::array skittles{Rgb{185, 138, 82}, Rgb{138, 103, 61}, Rgb{122, 74, 36}};
+    const std::array woods{Neighbours{0, 1}, Neighbours{1, 2}};
+    const std::vector<Color> lane = surface_colors(skittles, woods, look_with(256));
+    CHECK(chroma(rgb_of(lane[0])) < 1.2 * chroma(skittles[0]));
+}
