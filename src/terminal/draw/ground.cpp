@@ -170,14 +170,41 @@ void GroundLayer::fill(const Scene& scene) {
     colors_.assign(static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_),
                    default_color);
     if (!board_->is_empty()) fill_board();
-    for (const std::uint32_t pocket : scene.pool.pockets) {
-        const Capsule& shape = scene.world.zones()[pocket].shape;
-        fill_area({{}, {shape.start, hole_share * shape.radius}, hole_color, 0},
-                  dress_ink(hole_color, key_->look).color);
-    }
     const std::vector<PaintedArea>& areas = scene.dress.areas;
     for (std::size_t i = 0; i < areas.size(); ++i)
         if (areas[i].layer == 0) fill_area(areas[i], inks_.areas[i]);
+    fill_holes(scene);
+}
+
+void GroundLayer::fill_holes(const Scene& scene) {
+    const Color color = dress_ink(hole_color, key_->look).color;
+    for (const std::uint32_t pocket : scene.pool.pockets) {
+        const Capsule& shape = scene.world.zones()[pocket].shape;
+        const Disc hole{shape.start, hole_share * shape.radius};
+        if (key_->renderer->has_pixels() || !fill_small_hole(hole, color))
+            fill_area({{}, hole, hole_color, 0}, color);
+    }
+}
+
+// Samples in the middles of cells could all lie beside a small hole, or make a ragged one.
+bool GroundLayer::fill_small_hole(const Disc& hole, Color color) {
+    const Camera& camera = key_->camera;
+    constexpr double most_rows = 2.5;
+    const double across = 2.0 * hole.radius * camera.columns_per_length;
+    const double down = across / camera.aspect;
+    if (down >= most_rows) return false;
+    const CellPoint at = to_cells(camera, hole.center);
+    const auto for_each_cell = [](double middle, double size, int begin, int count, auto call) {
+        const double whole = std::max(1.0, std::round(size));
+        const double first = std::round(middle - 0.5 * whole) - begin;
+        for (double i = std::max(0.0, first); i < std::min<double>(first + whole, count); ++i)
+            call(static_cast<int>(i));
+    };
+    for_each_cell(at.row, down, camera.area.row, camera.area.rows, [&](int row) {
+        for_each_cell(at.column, across, camera.area.column, camera.area.columns,
+                      [&](int column) { sample_of_cell(column, row) = color; });
+    });
+    return true;
 }
 
 Vec2 GroundLayer::place_of(int across, int down) const {

@@ -66,12 +66,19 @@ class GroundLayer {
     void paint();
     void fill_board();
     void fill_area(const PaintedArea& area, Color color);
+    void fill_holes(const Scene& scene);
+    bool fill_small_hole(const Disc& hole, Color color);
     Vec2 place_of(int across, int down) const;
     /// In the middle of a cell of the camera's area.
     Color color_of_cell(int column, int row) const {
         const Renderer& renderer = *key_->renderer;
         return color_at(column * renderer.across + renderer.across / 2,
                         row * renderer.down + renderer.down / 2);
+    }
+    Color& sample_of_cell(int column, int row) {
+        const Renderer& renderer = *key_->renderer;
+        return sample(column * renderer.across + renderer.across / 2,
+                      row * renderer.down + renderer.down / 2);
     }
     Color color_at(int across, int down) const {
         return colors_[static_cast<std::size_t>(down) * static_cast<std::size_t>(across_) +

@@ -270,3 +270,30 @@ TEST_CASE("pool table: a small ball is as wide with one digit on it as with two"
         CHECK(cells == 2);
     }
 }
+
+TEST_CASE("pool table: a small hole is dark in characters and dots too, on a painted green") {
+    const LoadResult loaded = load_level(
+        "carom 1 \"t\"\nuse cloth slide=0.2 roll=0.01 spin=10 g=10\nuse spin\n"
+        "ball cue at=40,50 r=1\ncue ball=cue power=0..10\nbox 0,0 200,100\n"
+        "pocket p at=100,50 r=1.2\npaint rect 20,20 180,80 color=#3d8b52\n",
+        "test.level");
+    REQUIRE(loaded.scene);
+    const Scene& scene = *loaded.scene;
+    for (const Renderer* renderer : {&ascii_renderer(), &braille_renderer()}) {
+        CAPTURE(renderer->name);
+        for (int columns = 60; columns <= 80; ++columns) {
+            CAPTURE(columns);
+            Canvas canvas(columns, 24);
+            const Camera camera = fit_camera({{-15, -15}, {215, 115}}, {0, 0, columns, 24}, 2.0);
+            ViewOptions options;
+            options.look = look_with(direct_colors);
+            options.renderer = renderer;
+            ViewMemory memory;
+            draw_world(canvas, camera, scene, scene.world, {}, {}, options, memory);
+            const CellPoint hole = to_cells(camera, {100, 50});
+            const Cell& cell = canvas.at(static_cast<int>(hole.column), static_cast<int>(hole.row));
+            REQUIRE(cell.background >= 0);
+            CHECK(luminance(rgb_of(cell.background)) < 0.1);
+        }
+    }
+}
