@@ -55,7 +55,7 @@ std::variant<FileLock, std::string> become_guest(const GuestOptions& guest) {
     for (const char* const variable : ignored)
         ::unsetenv(variable);
     const auto data = data_folder();
-    if (!data) return "there is no folder for guests: HOME is not set";
+    if (!data) return fmt::format("there is no folder for guests: {}", no_folder_reason());
     const std::string folder = *data + "/guests/" + guest.name;
     const std::string levels = folder + "/levels";
     ::umask(0077);

@@ -126,7 +126,8 @@ HighScoresText load_high_scores(std::string_view table, std::size_t most) {
 HighScoresText keep_high_score(std::string_view table, std::size_t most, const HighScore& score) {
     const auto path = high_scores_path();
     std::optional<std::string> problem =
-        path ? make_folder(*data_folder()) : "there is no place for high scores: HOME is not set";
+        path ? make_folder(*data_folder())
+             : fmt::format("there is no place for high scores: {}", no_folder_reason());
     std::optional<FileLock> lock;
     if (!problem) lock.emplace(*path + ".lock", FileLock::Wait::a_while);
     if (lock && !lock->is_held()) problem = lock->error();

@@ -156,7 +156,9 @@ PoolRecordText load_pool_record() {
 
 PoolRecordText keep_pool_record(const PoolRecord& more) {
     const auto path = pool_record_path();
-    if (!path) return {more, "there is no place for a record of pool: HOME is not set"};
+    if (!path)
+        return {more,
+                fmt::format("there is no place for a record of pool: {}", no_folder_reason())};
     if (auto problem = make_folder(*data_folder())) return {more, std::move(problem)};
     const FileLock lock(*path + ".lock", FileLock::Wait::a_while);
     if (!lock.is_held()) return {more, lock.error()};

@@ -32,6 +32,12 @@ std::optional<std::string> state_folder() {
     return folder("XDG_STATE_HOME", "/.local/state");
 }
 
+std::string no_folder_reason() {
+    const char* const home = std::getenv("HOME");
+    if (!home || home[0] == '\0') return "HOME is not set";
+    return fmt::format("HOME is '{}', which is no absolute path", home);
+}
+
 std::optional<std::string> make_folder(const std::string& path) {
     for (std::size_t slash = path.find('/', 1);; slash = path.find('/', slash + 1)) {
         const std::string part = path.substr(0, slash);

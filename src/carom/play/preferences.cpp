@@ -281,7 +281,7 @@ PreferencesText load_preferences() {
 std::optional<std::string> write_preference(std::string_view name, std::string_view value) {
     const auto path = preferences_path();
     const auto folder = configuration_folder();
-    if (!path || !folder) return "HOME is not set";
+    if (!path || !folder) return no_folder_reason();
     if (auto fault = make_folder(*folder)) return fault;
     const FileLock lock(*path + ".lock", FileLock::Wait::a_while);
     if (!lock.is_held()) return lock.error();

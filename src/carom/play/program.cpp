@@ -105,6 +105,7 @@ std::optional<Problems> Program::start() {
         if (const auto obstacle = recording_->obstacle()) return Problems{*obstacle};
     }
     const auto folder = resume_folder();
+    std::vector<std::string> unreadable;
     if (options_.resume) {
         std::string path;
         if (!options_.level.empty()) {
@@ -118,7 +119,11 @@ std::optional<Problems> Program::start() {
             resume(games.front());
             return std::nullopt;
         }
-        if (options_.level.empty()) return Problems{"there is no unfinished game"};
+        if (folder) unreadable = unreadable_games(*folder, path);
+        if (options_.level.empty()) {
+            unreadable.insert(unreadable.begin(), "there is no unfinished game");
+            return unreadable;
+        }
     }
     if (options_.level.empty()) {
         show_menu({});
@@ -127,7 +132,11 @@ std::optional<Problems> Program::start() {
     const LevelSource source = carom::source_of(options_, options_.level);
     auto problems = open(source);
     auto* const game = std::get_if<RunningGame>(&page_);
-    if (game && options_.resume) game->player.say("There is no unfinished game: a new one begins.");
+    if (game && options_.resume && unreadable.empty())
+        game->player.say("There is no unfinished game: a new one begins.");
+    else if (game && options_.resume)
+        game->player.complain(fmt::format(
+            "The unfinished game cannot be read ({}): a new one begins.", unreadable[0]));
     if (problems && options_.watch && find_level(source.path).path) {
         open_or_tell(source);
         return std::nullopt;

@@ -52,11 +52,14 @@ std::int64_t saved_at(const std::string& path) {
 }
 
 /// Files of games that were left or that nobody plays any more, newest first, then by name.
-std::vector<std::string> left_behind(const std::string& folder) {
+/// `level`: only of this level; empty: of all.
+std::vector<std::string> left_behind(const std::string& folder, std::string_view level = {}) {
     std::vector<std::pair<std::int64_t, std::string>> found;
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
         const std::string path = entry.path().string();
+        const std::string name = entry.path().filename().string();
+        if (!level.empty() && !name.starts_with(stem_of(level))) continue;
         if (path.ends_with(left_ending) || (path.ends_with(ending) && !is_running(path)))
             found.emplace_back(-saved_at(path), path);
     }
@@ -71,15 +74,28 @@ std::vector<std::string> left_behind(const std::string& folder) {
 
 std::vector<InterruptedGame> interrupted_games(const std::string& folder, std::string_view level) {
     std::vector<InterruptedGame> games;
-    for (const std::string& path : left_behind(folder)) {
-        const std::string name = fs::path(path).filename().string();
-        if (!level.empty() && !name.starts_with(stem_of(level))) continue;
+    for (const std::string& path : left_behind(folder, level)) {
         const FileText read = read_file(path, most_session_bytes);
         if (!read.text) continue;
         auto replay = read_replay(*read.text);
         auto* good = std::get_if<Replay>(&replay);
         if (good && (level.empty() || good->level == level))
             games.push_back({path, std::move(*good), saved_at(path), path.ends_with(left_ending)});
+    }
+    return games;
+}
+
+std::vector<std::string> unreadable_games(const std::string& folder, std::string_view level) {
+    std::vector<std::string> games;
+    for (const std::string& path : left_behind(folder, level)) {
+        const FileText read = read_file(path, most_session_bytes);
+        if (!read.text) {
+            games.push_back(read.error);
+            continue;
+        }
+        const auto replay = read_replay(*read.text);
+        if (const auto* const bad = std::get_if<ReplayError>(&replay))
+            games.push_back(fmt::format("{}, line {}: {}", path, bad->line, bad->message));
     }
     return games;
 }

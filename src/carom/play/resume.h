@@ -28,6 +28,10 @@ struct InterruptedGame {
 std::vector<InterruptedGame> interrupted_games(const std::string& folder,
                                                std::string_view level = {});
 
+/// What is wrong with the unfinished games of this level that cannot be read: "FILE, line N: why",
+/// the newest first.
+std::vector<std::string> unreadable_games(const std::string& folder, std::string_view level = {});
+
 /// The file of one running game. The destructor keeps it: only remove() deletes it.
 class ResumeFile {
   public:

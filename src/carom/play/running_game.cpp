@@ -115,7 +115,8 @@ void RunningGame::ask_for_name() {
 }
 
 void RunningGame::ask_for_recording_name() {
-    if (!recordings_folder()) return player.complain("There is no folder: HOME is not set.");
+    if (!recordings_folder())
+        return player.complain(fmt::format("There is no folder: {}.", no_folder_reason()));
     if (!player.session().is_complete())
         return player.complain("This game is too long: its start is forgotten.");
     ask({SavePrompt::What::recording, free_recording_name(source.path)});

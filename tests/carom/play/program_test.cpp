@@ -367,6 +367,8 @@ TEST_CASE("preferences that cannot be written are reported once, and the game co
     const std::string before = place ? place : "";
     ::unsetenv("HOME");
     CHECK(is_told("HOME is not set"));
+    ::setenv("HOME", "home", 1);
+    CHECK(is_told("HOME is 'home', which is no absolute path"));
     if (place) ::setenv("HOME", before.c_str(), 1);
 }
 

@@ -128,7 +128,7 @@ TEST_CASE("games that are left are kept, each on its own, even if their process 
     CHECK(interrupted_games(folder.text()).empty());
 }
 
-TEST_CASE("a truncated or foreign file is skipped") {
+TEST_CASE("a truncated file is skipped and named, a foreign one is skipped") {
     const Folder folder;
     in_a_process_that_dies([&] {
         ResumeFile(folder.text(), "a.level").save(replay_of("a.level"));
@@ -137,6 +137,11 @@ TEST_CASE("a truncated or foreign file is skipped") {
     });
     std::ofstream(folder.path / "notes.txt") << "hello";
     CHECK(interrupted_games(folder.text()).empty());
+    const std::vector<std::string> unreadable = unreadable_games(folder.text(), "a.level");
+    REQUIRE(unreadable.size() == 1);
+    CHECK(unreadable[0].find(".resume, line ") != std::string::npos);
+    CHECK(unreadable_games(folder.text()) == unreadable);
+    CHECK(unreadable_games(folder.text(), "b.level").empty());
 }
 
 TEST_CASE("at most twenty games are kept") {
