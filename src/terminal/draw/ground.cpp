@@ -118,7 +118,7 @@ void GroundLayer::choose_inks(const Scene& scene) {
     constexpr Rgb24 chalk_color = 0x7fb697;
     const GroundColors colors = colors_of(scene);
     const auto rgb = [](Rgb24 color) { return rgb_of_dress(color); };
-    enum Surface : std::size_t { board, cushion, rail, plastic, nose, chalk, areas };
+    enum Surface : std::size_t { ground, cushion, rail, plastic, nose, chalk, areas };
     const Rgb chalk_on_board =
         rgb_of(mixed(direct_color(rgb(chalk_color)), direct_color(rgb(colors.board)), chalk_share));
     std::vector<Rgb> wanted{rgb(colors.board),
@@ -129,16 +129,16 @@ void GroundLayer::choose_inks(const Scene& scene) {
                             chalk_on_board};
     std::vector<Neighbours> neighbours;
     if (is_pool_table(scene))
-        neighbours = {{board, nose}, {nose, cushion}, {cushion, rail}, {board, chalk}};
+        neighbours = {{ground, nose}, {nose, cushion}, {cushion, rail}, {ground, chalk}};
     else
-        neighbours = {{board, rail}, {board, plastic}};
+        neighbours = {{ground, rail}, {ground, plastic}};
     for (std::size_t i = 0; i < scene.dress.areas.size(); ++i) {
         const std::optional<std::size_t> below = area_below(scene.dress.areas, i);
-        neighbours.emplace_back(below ? areas + *below : board, wanted.size());
+        neighbours.emplace_back(below ? areas + *below : ground, wanted.size());
         wanted.push_back(rgb(scene.dress.areas[i].color));
     }
     const std::vector<Color> chosen = surface_colors(wanted, neighbours, key_->look);
-    inks_ = {{default_color, chosen[rail], chosen[cushion], chosen[plastic], chosen[board]},
+    inks_ = {{default_color, chosen[rail], chosen[cushion], chosen[plastic], chosen[ground]},
              chosen[nose],
              chosen[chalk],
              {chosen.begin() + areas, chosen.end()}};
