@@ -170,7 +170,7 @@ TEST_CASE("every combo of Night Vault is two shots, and worth the same") {
     }
 }
 
-TEST_CASE("a trip that begins at the station of Cable Car is told, though a car stops there too") {
+TEST_CASE("Cable Car: the message of a new trip wins over that of a car that stops") {
     ShippedTable table("cable-car");
     table.happen("lanes", 0, RuleEvent::enter);  // the skill shot is over
     table.light("open", 1);

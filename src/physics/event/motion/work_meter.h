@@ -19,7 +19,7 @@ namespace carom {
 template <typename Real>
 class WorkMeter {
   public:
-    /// The next tick is not a repetition, whatever `begin` is told.
+    /// The next tick counts as new, even if `begin` says that it is repeated.
     void forget_trials() { has_begun_ = false; }
     /// A tick begins, or is repeated (WorkBudget::begin). `keep_going`, which must outlive it, may
     /// be empty.

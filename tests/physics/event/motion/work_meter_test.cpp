@@ -34,7 +34,7 @@ TEST_CASE(
     CHECK(work.may_go_on());
 }
 
-TEST_CASE("event work meter: a repeated tick has what is left of the budget") {
+TEST_CASE("event work meter: a repeated tick spends what the first trial left of the budget") {
     WorkMeter<double> meter;
     const std::function<bool()> never_asked;
     const std::uint64_t budget = event_budget.per_ball * event_budget.least_balls;
