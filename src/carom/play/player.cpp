@@ -17,6 +17,58 @@ namespace {
 /// Zoom factor for one step of the wheel.
 constexpr double wheel_factor = 1.15;
 
+// The key of another page opens that page; any other key that does not scroll closes this one. A
+// page that is visible as a whole does not scroll.
+void turn_page(PlayContext& play, const InputEvent& event, const Action* action) {
+    play.needs_draw = true;
+    if (const auto rows = scroll_of(event); rows && play.page.most > 0) {
+        play.page.scroll += *rows;
+        return;
+    }
+    const CoveringPage::Kind before = std::exchange(play.page, {}).kind;
+    if (!action || (action->name != "help" && action->name != "about")) return;
+    play.controller->perform(play, *action);
+    if (play.page.kind == before) play.page = {};
+}
+
+void handle_mouse(PlayContext& play, const InputEvent& event) {
+    using enum InputEvent::Action;
+    if (play.page.is_open()) {
+        if (event.action == press) play.page = {};
+        if (event.action == wheel_down) ++play.page.scroll;
+        if (event.action == wheel_up) --play.page.scroll;
+        play.needs_draw = true;
+        return;
+    }
+    if (play.controller->take(play, event)) return;
+    Pointer& pointer = play.pointer;
+    const CellPoint place = play.companion.in_first_half({event.column, event.row});
+    if (pointer.panning_from && event.action == move) {
+        play.view.pan(pointer.panning_from->column - place.column,
+                      pointer.panning_from->row - place.row);
+        pointer.panning_from = place;
+        play.needs_draw = true;
+        return;
+    }
+    if (event.action == wheel_up || event.action == wheel_down) {
+        play.view.zoom(place, event.action == wheel_up ? wheel_factor : 1.0 / wheel_factor);
+        play.needs_draw = true;
+        return;
+    }
+    pointer.shows_cursor = false;
+    move_pointer(play, to_world(play.view.camera, place));
+    if (event.action == press) {
+        play.needs_draw = true;
+        play.messages.end_message();
+        play.controller->press(play, event);
+    } else if (event.action == release) {
+        play.needs_draw = true;
+        play.messages.end_message();
+        if (std::exchange(pointer.panning_from, {})) tell_way_back(play);
+        play.controller->release(play, event);
+    }
+}
+
 }  // namespace
 
 Player::Player(Session session, const ViewOptions& view, KeyMap keys, bool solver_is_picked)
@@ -45,7 +97,7 @@ Player Player::continued_with(Session session, bool solver_is_picked) const {
 
 PlayRequest Player::handle(const InputEvent& event) {
     if (event.kind == InputEvent::Kind::mouse) {
-        handle_mouse(event);
+        handle_mouse(play_, event);
         return PlayRequest::none;
     }
     if (!play_.page.is_open() && play_.controller->take(play_, event)) return PlayRequest::none;
@@ -53,7 +105,7 @@ PlayRequest Player::handle(const InputEvent& event) {
         return PlayRequest::none;
     const Action* const action = play_.keys.action_of(key_of(event));
     if (play_.page.is_open()) {
-        turn_page(event, action);
+        turn_page(play_, event, action);
         // These leave the page, on which they are explained.
         const bool is_setting = action && (action->name == "theme" || action->name == "change-key");
         return is_setting ? perform(*action) : PlayRequest::none;
@@ -67,58 +119,6 @@ PlayRequest Player::perform(const Action& action) {
     play_.controller->perform(play_, action);
     keep_up(play_, [] { return false; });
     return std::exchange(play_.request, PlayRequest::none);
-}
-
-// The key of another page opens that page; any other key that does not scroll closes this one. A
-// page that is visible as a whole does not scroll.
-void Player::turn_page(const InputEvent& event, const Action* action) {
-    play_.needs_draw = true;
-    if (const auto rows = scroll_of(event); rows && play_.page.most > 0) {
-        play_.page.scroll += *rows;
-        return;
-    }
-    const CoveringPage::Kind before = std::exchange(play_.page, {}).kind;
-    if (!action || (action->name != "help" && action->name != "about")) return;
-    play_.controller->perform(play_, *action);
-    if (play_.page.kind == before) play_.page = {};
-}
-
-void Player::handle_mouse(const InputEvent& event) {
-    using enum InputEvent::Action;
-    if (play_.page.is_open()) {
-        if (event.action == press) play_.page = {};
-        if (event.action == wheel_down) ++play_.page.scroll;
-        if (event.action == wheel_up) --play_.page.scroll;
-        play_.needs_draw = true;
-        return;
-    }
-    if (play_.controller->take(play_, event)) return;
-    Pointer& pointer = play_.pointer;
-    const CellPoint place = play_.companion.in_first_half({event.column, event.row});
-    if (pointer.panning_from && event.action == move) {
-        play_.view.pan(pointer.panning_from->column - place.column,
-                       pointer.panning_from->row - place.row);
-        pointer.panning_from = place;
-        play_.needs_draw = true;
-        return;
-    }
-    if (event.action == wheel_up || event.action == wheel_down) {
-        play_.view.zoom(place, event.action == wheel_up ? wheel_factor : 1.0 / wheel_factor);
-        play_.needs_draw = true;
-        return;
-    }
-    pointer.shows_cursor = false;
-    move_pointer(play_, to_world(camera(), place));
-    if (event.action == press) {
-        play_.needs_draw = true;
-        play_.messages.end_message();
-        play_.controller->press(play_, event);
-    } else if (event.action == release) {
-        play_.needs_draw = true;
-        play_.messages.end_message();
-        if (std::exchange(pointer.panning_from, {})) tell_way_back(play_);
-        play_.controller->release(play_, event);
-    }
 }
 
 void Player::fade_messages(double seconds) {
@@ -140,7 +140,8 @@ double Player::seconds_to_change() const {
 }
 
 bool Player::wants_motion() const {
-    return !play_.pointer.pressed && (tool().has_cue() || tool().has_new_edge());
+    return !play_.pointer.pressed &&
+           (play_.pointer.tool.has_cue() || play_.pointer.tool.has_new_edge());
 }
 
 void Player::say(std::string message) {
@@ -211,11 +212,6 @@ const PinballScores* Player::pinball_scores() const {
     return pinball ? &pinball->scores() : nullptr;
 }
 
-int Player::opponent() const {
-    const PoolPlayers* const players = pool_players();
-    return players ? players->opponent() : 0;
-}
-
 void Player::watch_opponent(int number) {
     dynamic_cast<WatchController&>(*play_.controller).set_opponent(number);
 }
@@ -238,6 +234,11 @@ void Player::demonstrate() {
 bool Player::is_demonstrating() const {
     const auto* const pinball = dynamic_cast<const PinballController*>(play_.controller.get());
     return pinball && pinball->is_demonstrating();
+}
+
+int opponent_of(const Player& player) {
+    const PoolPlayers* const players = player.pool_players();
+    return players ? players->opponent() : 0;
 }
 
 bool cancels_tick(const InputEvent& event, const KeyMap& keys) {

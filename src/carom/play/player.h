@@ -69,8 +69,6 @@ class Player {
     /// The high scores of a pinball table that is played; null elsewhere.
     PinballScores* pinball_scores();
     const PinballScores* pinball_scores() const;
-    /// The AI player at a pool table, by number; 0: none.
-    int opponent() const;
     /// Names the players of a recording. Pre: is_watching().
     void watch_opponent(int number);
     /// The shot that the player is setting up at a pool table; none elsewhere. It is kept with an
@@ -87,23 +85,19 @@ class Player {
     bool is_watching() const { return carom::is_watching(play_); }
     const PlaybackClock& clock() const { return play_.clock; }
     const ViewOptions& view() const { return play_.view.options; }
-    const PointerTool& tool() const { return play_.pointer.tool; }
-    /// The pointer's position in the world: the mouse or the cursor, whichever moved last.
-    Vec2 pointer() const { return play_.pointer.at; }
+    const Pointer& pointer() const { return play_.pointer; }
     const Camera& camera() const { return play_.view.camera; }
 
     /// The level was changed on disk: a new game with the view of this one.
     Player continued_with(Session session, bool solver_is_picked) const;
 
   private:
-    void handle_mouse(const InputEvent& event);
-    void turn_page(const InputEvent& event, const Action* action);
-    void draw_page(Canvas& canvas);
-    void draw_game(Canvas& canvas, double aspect);
-
     PlayContext play_;
     bool is_too_small_ = false;
 };
+
+/// The AI player at a pool table, by number; 0: none.
+int opponent_of(const Player& player);
 
 /// Whether this event should cancel a tick that is being computed. Mouse motion and the like wait
 /// until the tick is done.

@@ -118,14 +118,80 @@ bool counts_collisions(const Scene& scene) {
         scene.expects, [](const Expect& expect) { return expect.quantity == "collisions"; });
 }
 
+/// `pool`: who plays at a pool table; null elsewhere.
+void draw_page(PlayContext& play, const PoolPlayers* pool, Canvas& canvas) {
+    CoveringPage& page = play.page;
+    const Look& look = play.view.options.look;
+    PageExtent extent;
+    switch (page.kind) {
+        case CoveringPage::Kind::none:
+            return;
+        case CoveringPage::Kind::help:
+            extent = draw_help(
+                canvas, play.keys.help(play.controller->kind(), play.controller->help_words(play)),
+                page.scroll,
+                footer_with(play, {{"about", "about this level"}, {"change-key", "change a key"}}),
+                look);
+            break;
+        case CoveringPage::Kind::about:
+            extent = draw_about(canvas, play.session.scene().title, play.words.goal,
+                                about_items(play.words), page.scroll,
+                                footer_with(play, {{"help", "keys"}}), look);
+            break;
+        case CoveringPage::Kind::record:
+            extent =
+                draw_text_page(canvas, "Your record at pool", record_lines(pool->record(), look),
+                               page.scroll, closing_footer, look);
+            break;
+        case CoveringPage::Kind::explanation:
+            extent = draw_about(canvas, "Solver and model", {}, explanation_items(play),
+                                page.scroll, closing_footer, look);
+            break;
+        case CoveringPage::Kind::problems:
+            extent = draw_text_page(canvas, "Errors", play.messages.problem(), page.scroll,
+                                    closing_footer, look);
+            break;
+    }
+    page.scroll = extent.scroll;
+    page.most = extent.most;
+}
+
+void draw_game(PlayContext& play, Canvas& canvas, double aspect) {
+    canvas.fill({});
+    lay_out(play, canvas, aspect);
+    follow_ball(play);
+    play.controller->look(play);
+    const Session& session = play.session;
+    const World& world = session.world();
+    const Camera& camera = play.view.camera;
+    const Look& look = play.view.options.look;
+    const Totals sums = totals(world);
+    play.panels.sample(world.tick(), sums,
+                       conserves_energy(world) ? play.reference.energy_drift(sums) : std::nullopt);
+    ViewOptions options = play.view.options;
+    options.counters = options.counters && !play.panels.is_histogram_drawn();
+    draw_world(canvas, camera, session.scene(), world, session.contacts(), annotations_of(play),
+               options, play.view.memory);
+    const bool is_split = play.companion.comparison().has_value();
+    if (counts_collisions(session.scene()) && !is_split)
+        draw_large_count(
+            canvas, camera.area,
+            fmt::format("{}", world.ball_ball_collisions() + world.ball_edge_collisions()), look);
+    if (is_split)
+        play.companion.draw(canvas, session, camera, play.view.selected, play.view.options);
+    play.panels.draw(canvas, session, play.observation->observer(), camera, look);
+    if (!is_split) play.controller->draw_panel(play, canvas);
+    draw_hud(canvas, status_of(play), look);
+}
+
 }  // namespace
 
 void Player::draw(Canvas& canvas, double aspect) {
     play_.needs_draw = false;
     is_too_small_ = is_too_small(canvas.columns(), canvas.rows());
     if (is_too_small_) return draw_too_small(canvas);
-    if (play_.page.is_open()) return draw_page(canvas);
-    draw_game(canvas, aspect);
+    if (play_.page.is_open()) return draw_page(play_, pool_players(), canvas);
+    draw_game(play_, canvas, aspect);
 }
 
 // An aim is not drawn before Controller::look() is called.
@@ -143,70 +209,6 @@ void Player::draw_preview(Canvas& canvas, const CellArea& area, double aspect) {
     options.counters = options.board_texts = false;
     draw_world(canvas, camera(), session().scene(), session().world(), session().contacts(),
                annotations_of(play_), options, play_.view.memory);
-}
-
-void Player::draw_page(Canvas& canvas) {
-    CoveringPage& page = play_.page;
-    const Look& look = view().look;
-    PageExtent extent;
-    switch (page.kind) {
-        case CoveringPage::Kind::none:
-            return;
-        case CoveringPage::Kind::help:
-            extent = draw_help(
-                canvas,
-                play_.keys.help(play_.controller->kind(), play_.controller->help_words(play_)),
-                page.scroll,
-                footer_with(play_, {{"about", "about this level"}, {"change-key", "change a key"}}),
-                look);
-            break;
-        case CoveringPage::Kind::about:
-            extent = draw_about(canvas, session().scene().title, play_.words.goal,
-                                about_items(play_.words), page.scroll,
-                                footer_with(play_, {{"help", "keys"}}), look);
-            break;
-        case CoveringPage::Kind::record:
-            extent = draw_text_page(canvas, "Your record at pool",
-                                    record_lines(pool_players()->record(), look), page.scroll,
-                                    closing_footer, look);
-            break;
-        case CoveringPage::Kind::explanation:
-            extent = draw_about(canvas, "Solver and model", {}, explanation_items(play_),
-                                page.scroll, closing_footer, look);
-            break;
-        case CoveringPage::Kind::problems:
-            extent = draw_text_page(canvas, "Errors", play_.messages.problem(), page.scroll,
-                                    closing_footer, look);
-            break;
-    }
-    page.scroll = extent.scroll;
-    page.most = extent.most;
-}
-
-void Player::draw_game(Canvas& canvas, double aspect) {
-    canvas.fill({});
-    lay_out(play_, canvas, aspect);
-    follow_ball(play_);
-    play_.controller->look(play_);
-    const World& world = session().world();
-    const Totals sums = totals(world);
-    play_.panels.sample(
-        world.tick(), sums,
-        conserves_energy(world) ? play_.reference.energy_drift(sums) : std::nullopt);
-    ViewOptions options = view();
-    options.counters = options.counters && !play_.panels.is_histogram_drawn();
-    draw_world(canvas, camera(), session().scene(), world, session().contacts(),
-               annotations_of(play_), options, play_.view.memory);
-    const bool is_split = play_.companion.comparison().has_value();
-    if (counts_collisions(session().scene()) && !is_split)
-        draw_large_count(
-            canvas, camera().area,
-            fmt::format("{}", world.ball_ball_collisions() + world.ball_edge_collisions()),
-            view().look);
-    if (is_split) play_.companion.draw(canvas, session(), camera(), play_.view.selected, view());
-    play_.panels.draw(canvas, session(), play_.observation->observer(), camera(), view().look);
-    if (!is_split) play_.controller->draw_panel(play_, canvas);
-    draw_hud(canvas, status_of(play_), view().look);
 }
 
 }  // namespace carom

@@ -253,7 +253,7 @@ bool Program::end_game() {
     if (game && recording_ && !game->player.is_watching()) {
         const Recording recording = *std::exchange(recording_, std::nullopt);
         lost_recording_ = recording.write(game->player.session(), game->source.path,
-                                          game->source.overrides, game->player.opponent());
+                                          game->source.overrides, opponent_of(game->player));
         if (lost_recording_) {
             *lost_recording_ +=
                 game->autosave()

@@ -177,7 +177,7 @@ void RunningGame::keep_recording(const std::string& name, std::size_t most) {
     if (const auto problem = make_folder(folder)) return player.complain(*problem);
     const Recording recording(path, Existing::kept);
     if (const auto problem =
-            recording.write(player.session(), source.path, source.overrides, player.opponent()))
+            recording.write(player.session(), source.path, source.overrides, opponent_of(player)))
         return player.complain(*problem);
     if (most != unlimited) remove_oldest(folder, ".replay", most);
     player.say("Kept as " + name + ". Watch it from the menu, in the group Yours.");

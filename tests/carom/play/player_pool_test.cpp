@@ -779,11 +779,11 @@ TEST_CASE("d calls nothing while the balls roll or the opponent plays") {
 TEST_CASE("a recording of a match against carom names you and carom") {
     Person person("nine-ball");
     person.players().set_opponent(person.player.session(), 2);
-    REQUIRE(person.player.opponent() == 2);
+    REQUIRE(opponent_of(person.player) == 2);
     const test::TemporaryFolder folder;
     const std::string path = folder.path("match.replay");
     REQUIRE_FALSE(Recording(path).write(person.player.session(), "nine-ball.level", {},
-                                        person.player.opponent()));
+                                        opponent_of(person.player)));
     auto opened = open_replay(path);
     REQUIRE(std::holds_alternative<OpenedReplay>(opened));
     auto& [replay, scene] = std::get<OpenedReplay>(opened);

@@ -138,7 +138,7 @@ TEST_CASE("everything works from the keyboard") {
     person.key(U' ');
     SUBCASE("tab goes from ball to ball, enter grabs and drops") {
         person.keys({key::tab, key::tab});
-        CHECK(person.player.pointer() == person.ball(1));
+        CHECK(person.player.pointer().at == person.ball(1));
         const Vec2 from = person.ball(1);
         person.key(key::enter);
         for (int i = 0; i < 4; ++i)
@@ -146,14 +146,14 @@ TEST_CASE("everything works from the keyboard") {
         person.key(key::enter);
         CHECK(person.ball(1).x == doctest::Approx(from.x));
         CHECK(person.ball(1).y < from.y - 1.0);
-        CHECK(person.player.tool().is_empty());
+        CHECK(person.player.pointer().tool.is_empty());
     }
     SUBCASE("k pulls the cue, enter shoots") {
         person.keys({key::tab, U'k', key::left, key::left, key::up, key::enter});
         const Vec2 velocity = person.world().balls().velocity[0];
         CHECK(velocity.x > 0.0);
         CHECK(velocity.y < 0.0);
-        CHECK(person.player.tool().is_empty());
+        CHECK(person.player.pointer().tool.is_empty());
     }
     SUBCASE("escape cancels the shot, then hides the cursor, then leaves the game") {
         const auto before = fingerprint(person.world());
@@ -204,7 +204,7 @@ TEST_CASE("going back releases the held ball, and the game continues without it"
     person.pass(0.1);
     REQUIRE(person.world().held_balls().size() == 1);
     person.keys(U",,");
-    CHECK(person.player.tool().is_empty());
+    CHECK(person.player.pointer().tool.is_empty());
     person.key(U' ');
     for (int frame = 0; frame < 30; ++frame)
         person.pass(1.0 / 60.0);
@@ -306,15 +306,15 @@ TEST_CASE("found 20: a new edge is thin, keys change its width, and its end is t
     Person person;
     person.key(U' ');
     person.keys(U"e");
-    const double width = person.player.tool().edge_width();
+    const double width = person.player.pointer().tool.edge_width();
     CHECK(width <= 30.0 / 75.0);
     CHECK(width > 0.0);
     person.key(U'+');
-    CHECK(person.player.tool().edge_width() == doctest::Approx(1.25 * width));
+    CHECK(person.player.pointer().tool.edge_width() == doctest::Approx(1.25 * width));
     CHECK(person.player.clock().speed() == 1.0);
     person.key(U'-');
     person.key(U'-');
-    CHECK(person.player.tool().edge_width() == doctest::Approx(0.8 * width));
+    CHECK(person.player.pointer().tool.edge_width() == doctest::Approx(0.8 * width));
     const std::size_t edges = person.world().capsules().size();
     for (int i = 0; i < 3; ++i)
         person.key(key::right);
@@ -638,7 +638,7 @@ TEST_CASE("in a split window, the mouse grabs the same ball in either half") {
     CellPoint right = left;
     right.column += 40;
     person.mouse_in_cells(InputEvent::Action::press, right, 1, no_modifier);
-    CHECK(person.player.tool().has_ball());
+    CHECK(person.player.pointer().tool.has_ball());
 }
 
 TEST_CASE("the butterfly shows how far its copies are apart") {
