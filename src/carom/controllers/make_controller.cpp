@@ -10,7 +10,7 @@ namespace carom {
 std::unique_ptr<Controller> make_controller(const Session& session) {
     if (session.is_following()) return std::make_unique<WatchController>(session);
     if (PinballFeedback::is_at(session)) return std::make_unique<PinballController>();
-    if (PoolController::is_at(session.scene())) return std::make_unique<PoolController>(session);
+    if (PoolAim::is_at(session.scene())) return std::make_unique<PoolController>(session);
     return std::make_unique<FreeController>();
 }
 

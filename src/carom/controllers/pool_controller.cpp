@@ -82,23 +82,6 @@ bool keeps_cue(const PlayContext& play) {
     return play.pointer.tool.is_empty() && !play.pointer.shows_cursor;
 }
 
-// The coach proposes one shot at a time, and sets it up.
-void PoolController::hear_coach(PlayContext& play) {
-    if (!coach_.is_asked()) return;
-    if (!is_aiming(play)) return coach_.dismiss();
-    const CandidateShot* const proposal = coach_.think(play.session);
-    if (!proposal) return;
-    const CandidateShot shot = *proposal;
-    const std::string text = coach_.text(play.session.scene());
-    if (shot.place) {
-        const BallId ball = *aim_.cue_ball(play.session);
-        if (const auto why_not = play.session.apply(command::PlaceBall{ball, *shot.place}))
-            return complain(play, *why_not);
-    }
-    aim_.take(play.session, shot);
-    say(play, text);
-}
-
 void PoolController::continue_from(PlayContext& play, const Controller& before) {
     if (const auto* const pool = dynamic_cast<const PoolController*>(&before))
         players_.continue_from(play.session, pool->players_);

@@ -6,6 +6,7 @@
 
 #include "carom/controllers/confirmation.h"
 #include "carom/controllers/free_controller.h"
+#include "carom/pool/cue_pull.h"
 #include "carom/pool/person_stroke.h"
 #include "carom/pool/pool_aim.h"
 #include "carom/pool/pool_players.h"
@@ -16,9 +17,7 @@ namespace carom {
 
 class PoolController : public FreeController {
   public:
-    /// Whether the level has a cue, so that a player can aim.
-    static bool is_at(const Scene& scene) { return PoolAim::is_at(scene); }
-    /// Pre: is_at().
+    /// Pre: PoolAim::is_at() the session's scene.
     explicit PoolController(const Session& session)
         : kind_(std::holds_alternative<PoolPlay>(session.game()) ? PlayKind::pool : PlayKind::cue),
           aim_(session) {}
@@ -46,6 +45,7 @@ class PoolController : public FreeController {
 
     // For pool_actions.h.
     PoolAim& aim() { return aim_; }
+    const PoolAim& aim() const { return aim_; }
     PersonStroke& stroke() { return stroke_; }
     PoolCoach& coach() { return coach_; }
     Confirmation& confirmation() { return confirmation_; }
@@ -64,30 +64,14 @@ class PoolController : public FreeController {
     /// Shoots; in a match it starts the meter first. False: there is nothing to shoot now.
     bool shoot_with_key(PlayContext& play);
 
-    // Kept with an unfinished game.
-    const ShotSetup& setup() const { return aim_.setup(); }
-    void set_up(const Session& session, const ShotSetup& setup) { aim_.set_up(session, setup); }
-
   protected:
     bool take_press(PlayContext& play, const InputEvent& event) override;
     bool take_release(PlayContext& play) override;
 
   private:
-    /// The mouse pulls the cue. Only what it goes back along the shot counts, so the aim stays.
-    struct Pull {
-        Vec2 from;           ///< where the mouse took the cue
-        Vec2 way;            ///< of the shot, a unit vector
-        double room = 0.0;   ///< how far the mouse can go back before the window ends, length
-        double least = 0.0;  ///< a shorter pull does not shoot, length
-        ShotSetup before;    ///< the aim, if no shot comes of it
-    };
-    Pull grip(const PlayContext& play) const;
-    double pulled(const PlayContext& play) const;
     bool takes_key(PlayContext& play, const InputEvent& event);
     bool takes_choice(PlayContext& play, const InputEvent& event);
-    void start_push(PlayContext& play);
     void shoot(PlayContext& play, const std::optional<Stroke>& stroke = std::nullopt);
-    void hear_coach(PlayContext& play);
     std::string line(const PlayContext& play) const;
 
     PlayKind kind_;
@@ -95,7 +79,7 @@ class PoolController : public FreeController {
     CellArea panel_;              ///< of the scoreboard; empty: none
     bool aims_by_mouse_ = false;  ///< the left button is down, and the cue points at the mouse
     PersonStroke stroke_;
-    std::optional<Pull> pull_{};
+    std::optional<CuePull> pull_{};
     std::optional<char32_t> chosen_by_{};  ///< the last key, if it picked a choice
     bool is_near_ = false;                 ///< the view was zoomed on the aim, for the next shot
     double after_ = 0.0;  ///< InputEvent::after of the event that is being handled, s

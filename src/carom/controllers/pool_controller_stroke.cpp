@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "carom/controllers/pool_controller.h"
@@ -7,22 +5,6 @@
 /// How a shot comes about: by a key or with the mouse; in a match by a stroke that may fail.
 namespace carom {
 namespace {
-
-/// A shorter pull, in radii of the ball, does not shoot.
-constexpr double least_pull = 1.5;
-/// Where the window ends close behind, this share of the room is enough.
-constexpr double least_share = 0.5;
-
-/// How far a point can go back, against the unit vector `way`, before it leaves the box. Zero for
-/// a point outside.
-double room_behind(const Box& box, Vec2 from, Vec2 way) {
-    double room = length(box.high - box.low);
-    if (way.x != 0.0)
-        room = std::min(room, (from.x - (way.x > 0.0 ? box.low : box.high).x) / way.x);
-    if (way.y != 0.0)
-        room = std::min(room, (from.y - (way.y > 0.0 ? box.low : box.high).y) / way.y);
-    return std::max(0.0, room);
-}
 
 /// Different for each shot of a session: the draws of a stroke that may fail depend on it.
 std::uint64_t shot_number(const Session& session) {
@@ -40,6 +22,24 @@ bool is_on_stick(const PlayContext& play, const PoolAim& aim) {
     const double along = dot(play.pointer.at - stick.from, back);
     return along >= 0.0 && along <= long_ &&
            distance(stick.from + back * along, play.pointer.at) <= slack(play);
+}
+
+// The coach proposes one shot at a time, and sets it up.
+void hear_coach(PoolController& table, PlayContext& play) {
+    PoolCoach& coach = table.coach();
+    if (!coach.is_asked()) return;
+    if (!table.is_aiming(play)) return coach.dismiss();
+    const CandidateShot* const proposal = coach.think(play.session);
+    if (!proposal) return;
+    const CandidateShot shot = *proposal;
+    const std::string text = coach.text(play.session.scene());
+    if (shot.place) {
+        const BallId ball = *table.aim().cue_ball(play.session);
+        if (const auto why_not = play.session.apply(command::PlaceBall{ball, *shot.place}))
+            return complain(play, *why_not);
+    }
+    table.aim().take(play.session, shot);
+    say(play, text);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void PoolController::pass(PlayContext& play, double seconds) {
     if (aim_.work(play.session)) play.needs_draw = true;
     players_.pass(play, seconds);
     confirmation_.pass(seconds);
-    hear_coach(play);
+    hear_coach(*this, play);
 }
 
 // While the meter runs, a repeat of the key that started it does not strike.
@@ -86,7 +86,7 @@ void PoolController::point(PlayContext& play) {
     if (aims_by_mouse_) aim_.aim_at(play.session, play.pointer.at);
     if (!pulls) return;
     if (!players_.is_match(play.session)) {
-        if (pull_) aim_.pull(play.session, pulled(play), pull_->room);
+        if (pull_) aim_.pull(play.session, pulled(*pull_, play.pointer.at), pull_->room);
         return;
     }
     if (!is_striking(play)) return;
@@ -96,34 +96,6 @@ void PoolController::point(PlayContext& play) {
     if (!stroke) return;
     play.pointer.tool.forget();
     shoot(play, stroke);
-}
-
-// Pre: pull_.
-void PoolController::start_push(PlayContext& play) {
-    const Camera& camera = play.view.camera;
-    const Vec2 way = pull_->way;
-    const Vec2 cell = to_world(camera, {1.0, 1.0}) - to_world(camera, {0.0, 0.0});
-    const double grain = 0.5 * (std::abs(way.x * cell.y) + std::abs(way.y * cell.x));
-    stroke_.start_push(MouseStroke(pull_->from, way, pull_->least, grain, stroke_.time(after_)));
-}
-
-PoolController::Pull PoolController::grip(const PlayContext& play) const {
-    const World& world = play.session.world();
-    const double radius = world.balls().radius[*index_of(world, *aim_.cue_ball(play.session))];
-    const Vec2 velocity = aim_.strike(play.session).velocity;
-    Pull pull{play.pointer.at, velocity / length(velocity), 0.0, 0.0, aim_.setup()};
-    const Camera& camera = play.view.camera;
-    const Vec2 half_a_cell = Vec2{1.0, camera.aspect} * (0.5 / camera.columns_per_length);
-    Box window = visible_box(camera);
-    window = {window.low + half_a_cell, window.high - half_a_cell};
-    pull.room = room_behind(window, pull.from, pull.way);
-    pull.least = std::min(least_pull * radius, least_share * pull.room);
-    return pull;
-}
-
-// Pre: pull_.
-double PoolController::pulled(const PlayContext& play) const {
-    return std::clamp(dot(pull_->from - play.pointer.at, pull_->way), 0.0, pull_->room);
 }
 
 bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
@@ -168,10 +140,11 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
     const bool takes_cue = !is_left || at_pointer == cue;
     if (!takes_cue && aim_.call_pocket(play.session, pointer.at)) return true;
     if (takes_cue || is_on_stick(play, aim_)) {
-        pull_ = grip(play);
+        pull_ = grip(play.session, aim_, play.view.camera, pointer.at);
         pointer.cue_is_armed = false;
         pointer.tool.take_cue(*cue, pointer.at);
-        if (players_.is_match(play.session)) start_push(play);
+        if (players_.is_match(play.session))
+            stroke_.start_push(push_of(*pull_, play.view.camera, stroke_.time(after_)));
     } else {
         aims_by_mouse_ = true;
         aim_.aim_at(play.session, pointer.at);
@@ -181,7 +154,7 @@ bool PoolController::take_press(PlayContext& play, const InputEvent& event) {
 
 bool PoolController::take_release(PlayContext& play) {
     if (std::exchange(aims_by_mouse_, false)) return true;
-    const double length_pulled = pull_ ? pulled(play) : 0.0;
+    const double length_pulled = pull_ ? pulled(*pull_, play.pointer.at) : 0.0;
     const auto pull = std::exchange(pull_, std::nullopt);
     if (!play.pointer.tool.has_cue()) return stroke_.push() != nullptr;
     if (!pull && !has_turns(play.session)) return false;

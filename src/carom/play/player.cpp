@@ -218,12 +218,12 @@ void Player::watch_opponent(int number) {
 
 std::optional<ShotSetup> Player::shot_setup() const {
     const auto* const pool = dynamic_cast<const PoolController*>(play_.controller.get());
-    return pool ? std::optional(pool->setup()) : std::nullopt;
+    return pool ? std::optional(pool->aim().setup()) : std::nullopt;
 }
 
 void Player::set_up(const ShotSetup& setup) {
     auto* const pool = dynamic_cast<PoolController*>(play_.controller.get());
-    if (pool) pool->set_up(play_.session, setup);
+    if (pool) pool->aim().set_up(play_.session, setup);
 }
 
 void Player::demonstrate() {
