@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "geometry/f64x2.h"
 #include "physics/contact/constraints.h"
 
@@ -97,12 +99,13 @@ inline void ContactConstraints::upwards_by_twos(Visit&& visit) {
 template <typename Visit>
 inline void ContactConstraints::downwards_by_twos(Visit&& visit) {
     const std::span<const std::uint32_t> constraints = classification_.constraints();
+    // One call, so that it is inlined once.
     for (std::size_t k = constraints.size(); k > 0;) {
-        ContactPair& last = pairs_[constraints[--k]];
+        ContactPair* first = &pairs_[constraints[--k]];
+        ContactPair* second = &nothing_;
         if (k > 0 && pairs_[constraints[k - 1]].has_neighbour)
-            visit(pairs_[constraints[--k]], last);
-        else
-            visit(last, nothing_);
+            second = std::exchange(first, &pairs_[constraints[--k]]);
+        visit(*first, *second);
     }
 }
 

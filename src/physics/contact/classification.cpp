@@ -196,10 +196,10 @@ void ContactClassification::classify_all(const World& world) {
     hinged_.clear();
     constraints_.resize(pairs_.size());
     std::size_t constraint_count = 0;
-    bool any_high_mass_ratio = false;
     double deepest = 0.0;
-    for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
-        ContactPair& pair = pairs_[p];
+    std::uint32_t next = 0;
+    for (ContactPair& pair : pairs_.all()) {
+        const std::uint32_t p = next++;
         measure<terms>(world, pair);
         pair.state = state_of<terms>(world, pair);
         pair.has_settled = false;
@@ -214,10 +214,8 @@ void ContactClassification::classify_all(const World& world) {
             continue;
         }
         constraints_[constraint_count++] = p;
-        any_high_mass_ratio |= pair.has_high_mass_ratio;
     }
     constraints_.resize(constraint_count);
-    any_high_mass_ratio_ = any_high_mass_ratio;
     deepest_ = deepest;
 }
 

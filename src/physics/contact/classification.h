@@ -46,7 +46,6 @@ class ContactClassification {
     std::span<const std::uint32_t> ccd() const { return ccd_; }
     /// Constraints with seesaws (hinges.h), which are not among `constraints`.
     std::span<const std::uint32_t> hinged() const { return hinged_; }
-    bool any_high_mass_ratio() const { return any_high_mass_ratio_; }
     /// Smallest separation of the constraints, 0 at most.
     double deepest() const { return deepest_; }
 
@@ -73,7 +72,6 @@ class ContactClassification {
     std::vector<std::uint32_t> ccd_;
     std::vector<std::uint32_t> hinged_;
     std::vector<std::uint8_t> contacts_on_;  // by body, counted up to enclosed_contacts; or empty
-    bool any_high_mass_ratio_ = false;
     double deepest_ = 0.0;
     double closing_gap_ = 0.0;
     double slowest_fast_square_ = 0.0;  // no slower pair of any size is fast, length^2/s^2

@@ -25,10 +25,11 @@ inline void ContactConstraints::apply(const ContactPair& constraint) {
     if (constraint.b != bodies_.fixed) b.velocity -= push * b.inverse_mass;
 }
 
-// At this target, a pair that does not move keeps its impulse.
-inline double ContactConstraints::holding_target(const ContactPair& pair) const {
+// At this target, a pair that does not move keeps its impulse. `given_back`: what is given back of
+// it, in shares of the mass.
+inline double ContactConstraints::holding_target(const ContactPair& pair, double given_back) const {
     const double ease = bodies_.body[pair.a].inverse_mass + bodies_.body[pair.b].inverse_mass;
-    return -(step_.softness.impulse_share / step_.softness.mass_share) * pair.impulse * ease;
+    return -given_back * pair.impulse * ease;
 }
 
 template <bool spin>
@@ -36,29 +37,34 @@ void ContactConstraints::begin_all() {
     nothing_ = ContactPair{.a = bodies_.fixed, .b = bodies_.fixed};
     new_.clear();
     const double per_substep = 1.0 / step_.duration;
-    const bool may_open = energy_.may_open();
+    const bool only_holds = !energy_.may_open();
     const double deepest_held = -contact_tolerance::deep_overlap * bodies_.smallest_radius;
     const ContactSoftness softness = step_.softness;
+    const double given_back = softness.impulse_share / softness.mass_share;
     double springs = 0.0;
     ContactPair* before = nullptr;  // the constraint before, if it has no neighbour yet
     for (const std::uint32_t p : classification_.constraints()) {
         ContactPair& pair = pairs_[p];
         const double gap = pair.separation;
-        const double stiffer =
-            std::min(-gap * (contact_tolerance::overlap_limit * contact_tolerance::stiffening /
-                             overlap_bound(pair)),
-                     contact_tolerance::most_stiffening);
+        double target = gap * per_substep;
+        if (gap < 0.0) {
+            const double stiffness =
+                1.0 + std::min(-gap * (contact_tolerance::overlap_limit *
+                                       contact_tolerance::stiffening / overlap_bound(pair)),
+                               contact_tolerance::most_stiffening);
+            target = gap * (stiffness * softness.push);
+            if (only_holds && gap > deepest_held)
+                target = std::max(target, holding_target(pair, given_back));
+            springs += pair.mass * gap * gap * stiffness;
+        }
+        pair.target = target;
         if (pair.is_new) new_.push_back(p);
-        pair.target = gap * (gap > 0.0 ? per_substep : (1.0 + stiffer) * softness.push);
-        if (!may_open && gap > deepest_held && gap < 0.0)
-            pair.target = std::max(pair.target, holding_target(pair));
         pair.is_persistent = pair.impulse > 0.0;
         pair.has_pressed = pair.has_neighbour = false;
         const bool is_neighbour = before && !share_body(*before, pair);
         if (is_neighbour) before->has_neighbour = true;
         before = is_neighbour ? nullptr : &pair;
         apply<spin>(pair);
-        if (gap < 0.0) springs += pair.mass * gap * gap * (1.0 + stiffer);
     }
     energy_.begin_substep(0.5 * step_.softness.spring * springs);
 }
@@ -84,15 +90,15 @@ inline void ContactConstraints::solve(ContactPair& first, ContactPair& second) {
 
 // A pair without an impulse may close its gap within a substep, but no faster. A pair that pressed
 // in the last substep is over-relaxed, since its neighbours undo a part of the change.
+// `most_more`: how much faster at most.
 template <bool spin>
-inline void ContactConstraints::relax(ContactPair& first, ContactPair& second) {
+inline void ContactConstraints::relax(ContactPair& first, ContactPair& second, double most_more) {
     using contact_lanes::both;
     const F64x2 impulse = both(first, second, &ContactPair::impulse);
     const F64x2 room =
         impulse == F64x2{} ? at_least(F64x2{}, both(first, second, &ContactPair::target)) : F64x2{};
     const F64x2 speed = separating_speeds(first, second) + room;
-    const double bound = contact_tolerance::over_relaxation * step_.rest_speed;
-    const F64x2 most{first.is_persistent ? bound : 0.0, second.is_persistent ? bound : 0.0};
+    const F64x2 most{first.is_persistent ? most_more : 0.0, second.is_persistent ? most_more : 0.0};
     const F64x2 more = at_least(-most, at_most(most, contact_tolerance::over_relaxation * speed));
     const F64x2 change = both(first, second, &ContactPair::mass) * (speed + more);
     first.has_pressed |= impulse[0] > 0.0;
@@ -114,18 +120,13 @@ void ContactConstraints::solve_all(bool downwards) {
 }
 
 template <bool spin>
-void ContactConstraints::relax_all() {
-    if (!had_impacts_)
-        return downwards_by_twos([&](auto& first, auto& second) { relax<spin>(first, second); });
-    downwards_by_twos([&](auto& first, auto& second) {
-        const bool skips_first = is_about_to_bounce(first);
-        const bool skips_second = is_about_to_bounce(second);
-        if (!skips_first && !skips_second)
-            relax<spin>(first, second);
-        else if (!skips_first)
-            relax<spin>(first, nothing_);
-        else if (!skips_second)
-            relax<spin>(second, nothing_);
+void ContactConstraints::relax_all(double most_more) {
+    downwards_by_twos([&, had_impacts = had_impacts_](ContactPair& first, ContactPair& second) {
+        const bool skips_first = had_impacts && is_about_to_bounce(first);
+        const bool skips_second = had_impacts && is_about_to_bounce(second);
+        if (skips_first && skips_second) return;
+        relax<spin>(skips_first ? second : first, skips_first || skips_second ? nothing_ : second,
+                    most_more);
     });
 }
 
@@ -148,12 +149,14 @@ void ContactConstraints::relax(double most_push, bool had_impacts) {
     had_impacts_ = had_impacts;
     if (most_push > contact_tolerance::most_excess * step_.rest_speed * step_.duration)
         step_.spins ? take_back_excess<true>() : take_back_excess<false>();
-    step_.spins ? relax_all<true>() : relax_all<false>();
+    const double most_more = contact_tolerance::over_relaxation * step_.rest_speed;
+    step_.spins ? relax_all<true>(most_more) : relax_all<false>(most_more);
     for (int iteration = 1; iteration < contact_tolerance::loaded_iterations; ++iteration) {
         for (std::size_t k = loaded_.size(); k-- > 0;) {
             ContactPair& pair = pairs_[loaded_[k]];
             if (had_impacts_ && is_about_to_bounce(pair)) continue;
-            step_.spins ? relax<true>(pair, nothing_) : relax<false>(pair, nothing_);
+            step_.spins ? relax<true>(pair, nothing_, most_more)
+                        : relax<false>(pair, nothing_, most_more);
         }
     }
 }
@@ -161,7 +164,7 @@ void ContactConstraints::relax(double most_push, bool had_impacts) {
 // Works from the top down: a ball that supports a loaded ball is loaded too.
 void ContactConstraints::find_loaded() {
     loaded_.clear();
-    if (!classification_.any_high_mass_ratio()) return;
+    if (!pairs_.any_high_mass_ratio()) return;
     is_loaded_.assign(bodies_.body.size(), 0);
     const std::span<const std::uint32_t> constraints = classification_.constraints();
     for (std::size_t k = constraints.size(); k-- > 0;) {

@@ -55,7 +55,7 @@ class ContactConstraints {
   private:
     template <bool spin>
     void begin_all();
-    double holding_target(const ContactPair& pair) const;
+    double holding_target(const ContactPair& pair, double given_back) const;
     template <bool spin>
     void apply(const ContactPair& pair);
     template <bool spin>
@@ -65,9 +65,9 @@ class ContactConstraints {
     template <bool spin>
     void solve_all(bool downwards);
     template <bool spin>
-    void relax(ContactPair& first, ContactPair& second);
+    [[gnu::always_inline]] void relax(ContactPair& first, ContactPair& second, double most_more);
     template <bool spin>
-    void relax_all();
+    void relax_all(double most_more);
     double separating_speed(const ContactPair& pair) const;
     F64x2 separating_speeds(const ContactPair& first, const ContactPair& second) const;
     template <typename Visit>

@@ -23,7 +23,7 @@ bool has_far_fall(const ContactSubstep& step, const ContactBodies& bodies, std::
 // Where that is much, what lies between has a share of both, so that a small impulse moves a ball
 // by little, and never against itself.
 void ContactImpacts::find_displacements() {
-    const Flight& flight = step_.flight;
+    const Flight flight = step_.flight;
     const Vec2 fall = step_.gravity * flight.velocity_per_gravity;
     const Vec2 drop = step_.gravity * flight.travel_per_gravity;
     const double full = contact_tolerance::full_press * length(fall);
@@ -35,27 +35,38 @@ void ContactImpacts::find_displacements() {
     const double far = 0.5 * closing_gap(bodies_);
     const Vec2 lag = fall * step_.duration - drop;
     const double near = step_.drag ? 0.0 : std::max(0.0, far - length(lag)) / step_.duration;
-    for (std::uint32_t i = 0; i < bodies_.fixed; ++i) {
-        const Vec2 velocity = bodies_.body[i].velocity;
-        const Vec2 before = bodies_.start_velocity[i];
+    const bool any_far_fall = step_.fall > contact_tolerance::far_fall * bodies_.smallest_radius;
+    // In locals, which a compiler need not read again after each list that grows.
+    const double duration = step_.duration;
+    const std::span<const ContactBody> body(bodies_.body);
+    const std::span<const Vec2> start_velocity(bodies_.start_velocity);
+    const std::span<const Vec2> position(bodies_.position);
+    const std::span<const Vec2> reference(bodies_.reference);
+    const std::span<const double> skin(bodies_.skin);
+    const std::span<Vec2> displacements(bodies_.displacement);
+    const std::uint32_t count = bodies_.fixed;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec2 velocity = body[i].velocity;
+        const Vec2 before = start_velocity[i];
         const Vec2 change = velocity - (before * flight.decay + fall);
-        Vec2& displacement = bodies_.displacement[i];
+        Vec2 displacement;
         if (change == Vec2{}) {
             displacement = before * flight.travel_per_velocity + drop;
         } else {
-            displacement = velocity * step_.duration;
+            displacement = velocity * duration;
             const double press = length_squared(change);
             most = std::max(most, press);
             const auto flown = [&] { return before * flight.travel_per_velocity + drop; };
-            if (press < full * full && has_far_fall(step_, bodies_, i)) {
-                const Vec2 pushed = flown() + change * step_.duration;
+            if (any_far_fall && press < full * full && has_far_fall(step_, bodies_, i)) {
+                const Vec2 pushed = flown() + change * duration;
                 displacement = pushed + (displacement - pushed) * (std::sqrt(press) / full);
             }
             if (press > near * near && length_squared(displacement - flown()) > far * far)
                 pushed_.push_back(i);
         }
-        const Vec2 away = bodies_.position[i] + displacement - bodies_.reference[i];
-        if (length_squared(away) > bodies_.skin[i] * bodies_.skin[i]) escaped_.push_back(i);
+        displacements[i] = displacement;
+        const Vec2 away = position[i] + displacement - reference[i];
+        if (length_squared(away) > skin[i] * skin[i]) escaped_.push_back(i);
     }
     kinematics_.set_displacements(bodies_, step_);
     most_push_ = std::sqrt(most) * step_.duration;

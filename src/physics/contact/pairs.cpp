@@ -47,7 +47,7 @@ void ContactPairs::load(const World& world, const ContactSubstep& step, ContactB
     order_.arrange(near, bodies.reference, step.gravity);
     for (std::uint32_t p = 0; p < near.size(); ++p)
         pairs_[p] = pair_of(world, bodies, near[order_[p]], last);
-    any_inelastic_ = false;
+    any_inelastic_ = any_high_mass_ratio_ = false;
     is_listed_by_body_ = false;
     kinematic_.clear();
     added_.clear();
@@ -57,6 +57,7 @@ void ContactPairs::load(const World& world, const ContactSubstep& step, ContactB
 
 void ContactPairs::note_kind(std::uint32_t p) {
     any_inelastic_ = any_inelastic_ || pairs_[p].is_inelastic;
+    any_high_mass_ratio_ = any_high_mass_ratio_ || pairs_[p].has_high_mass_ratio;
     if (pairs_[p].is_kinematic) kinematic_.push_back(p);
 }
 

@@ -76,6 +76,8 @@ class ContactPairs {
     std::span<const std::uint32_t> kinematic() const { return kinematic_; }
     /// Whether some pair has a restitution above 0 and below 1.
     bool any_inelastic() const { return any_inelastic_; }
+    /// Whether the balls of some pair have a high mass ratio.
+    bool any_high_mass_ratio() const { return any_high_mass_ratio_; }
 
     /// Pre for `of_body`: lists the pairs by ball, unless that is done already.
     void list_by_body(const ContactBodies& bodies);
@@ -117,6 +119,7 @@ class ContactPairs {
     std::vector<std::uint32_t> kinematic_;
     std::vector<std::uint32_t> first_impulse_;  // by index of a ball: into ContactMemory::contacts
     bool any_inelastic_ = false;
+    bool any_high_mass_ratio_ = false;
     bool is_listed_by_body_ = false;
     std::vector<std::uint32_t> first_link_;  // by body
     std::vector<std::uint32_t> next_link_;   // by link

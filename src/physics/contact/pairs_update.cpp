@@ -83,7 +83,7 @@ void ContactPairs::carry_over(const World& world, const ContactBodies& bodies) {
     std::swap(before_, pairs_);
     const std::span<const NearPair> near = rows_.pairs();
     pairs_.resize(near.size());
-    any_inelastic_ = false;
+    any_inelastic_ = any_high_mass_ratio_ = false;
     is_listed_by_body_ = false;
     kinematic_.clear();
     for (std::uint32_t p = 0; p < near.size(); ++p) {

@@ -11,10 +11,24 @@
 namespace carom {
 namespace {
 
-// Whether a ball may go that much further without leaving its skin.
-bool has_room(const ContactBodies& bodies, std::uint32_t i, double distance) {
-    const double room = bodies.skin[i] - distance;
-    return length_squared(bodies.position[i] - bodies.reference[i]) <= room * std::abs(room);
+// Sets `leaving` to the balls that may leave their skins if they go as far as `distance_of(speed,
+// radius)`. This runs in every substep. The columns are in locals, which a compiler need not read
+// again after `leaving` has grown.
+template <typename DistanceOf>
+void find_leaving(const ContactBodies& bodies, DistanceOf distance_of,
+                  std::vector<std::uint32_t>& leaving) {
+    leaving.clear();
+    const std::span<const ContactBody> body(bodies.body);
+    const std::span<const Vec2> position(bodies.position);
+    const std::span<const Vec2> reference(bodies.reference);
+    const std::span<const double> skin(bodies.skin);
+    const std::span<const double> radius(bodies.radius);
+    const std::size_t count = position.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double room = skin[i] - distance_of(length(body[i].velocity), radius[i]);
+        if (!(length_squared(position[i] - reference[i]) <= room * std::abs(room)))
+            leaving.push_back(static_cast<std::uint32_t>(i));
+    }
 }
 
 // Whether balls typically go further than their radius in a tick. `squares`: the sum of the squares
@@ -108,22 +122,19 @@ bool has_reference_positions(const World& world, const ContactSubstep& step) {
 
 void find_leaving_in_tick(const ContactBodies& bodies, const SkinSizes& sizes,
                           std::vector<std::uint32_t>& leaving) {
-    leaving.clear();
-    const double fall = sizes.fall * sizes.tick * sizes.tick;
-    for (std::uint32_t i = 0; i < bodies.fixed; ++i) {
-        const double own = length(bodies.body[i].velocity) * sizes.tick + fall;
-        if (!has_room(bodies, i, std::max(own, sizes.hit_of(bodies.radius[i]))))
-            leaving.push_back(i);
-    }
+    const auto distance_of = [sizes, fall = sizes.fall * sizes.tick * sizes.tick](double speed,
+                                                                                  double radius) {
+        return std::max(speed * sizes.tick + fall, sizes.hit_of(radius));
+    };
+    find_leaving(bodies, distance_of, leaving);
 }
 
 void find_leaving_in_substep(const ContactBodies& bodies, const SkinSizes& sizes,
                              std::vector<std::uint32_t>& leaving) {
-    leaving.clear();
-    const double fall = sizes.fall * sizes.substep * sizes.substep;
-    for (std::uint32_t i = 0; i < bodies.fixed; ++i)
-        if (!has_room(bodies, i, length(bodies.body[i].velocity) * sizes.substep + fall))
-            leaving.push_back(i);
+    const auto distance_of = [time = sizes.substep,
+                              fall = sizes.fall * sizes.substep * sizes.substep](
+                                 double speed, double) { return speed * time + fall; };
+    find_leaving(bodies, distance_of, leaving);
 }
 
 }  // namespace carom
