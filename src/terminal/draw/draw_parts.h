@@ -117,8 +117,8 @@ void color_pool_balls(std::vector<Ink>& inks, const Scene& scene, const World& w
 /// Whether the ball is a stripe of pool, white with a band in its colour.
 bool is_striped(const View& view, std::size_t ball);
 
-/// The columns of the number that is written on a ball of pool; 0: none. Among pixels a number is
-/// left out where it would not lie within its ball, unless the ball is too small to look round.
+/// The columns of the number that is written on a ball of pool; 0: none. Among pixels a ball that
+/// is too small to look round around its number is no more than the cells of the number.
 int number_width(const View& view, std::size_t ball);
 
 /// Gives the balls of a pinball table the look of steel.

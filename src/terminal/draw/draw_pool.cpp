@@ -27,10 +27,13 @@ void paint_dot(Raster& raster, RasterPoint at, const Ink& ink) {
         raster.disc(at, 0.0, 0.0, {ink, 255, '\0'});
 }
 
-// A ball of fewer pixels across is no more than the cells of its number.
+// The columns of the widest number, with a pixel or so of the ball around it.
+constexpr double least_round = 2.75;
+
+// Among pixels, the ball looks round around its number. A smaller one is no more than the cells of
+// its number.
 bool is_round(const Renderer& renderer, double diameter) {
-    constexpr int least_round = 3;  // pixels
-    return renderer.has_pixels() && diameter * renderer.across >= least_round;
+    return renderer.has_pixels() && diameter >= least_round;
 }
 
 // The number of a small ball is as wide as the ball: in ASCII, and where the ball is no more than
@@ -43,10 +46,12 @@ std::string label_of(const View& view, int number, double radius) {
     constexpr double least_three = 2.5;
     constexpr double least_large = 3.8;  // it has a rim
     const Renderer& renderer = renderer_in_force(view.options);
-    const bool is_flat = renderer.has_pixels() && !is_round(renderer, columns);
-    if (!is_flat && !renderer.has_regions()) return text;
-    if (columns >= (is_flat ? least_three : least_large)) return text;
-    if (text.size() == 1 && columns >= (is_flat ? least_two_pixels : least_two)) text = " " + text;
+    if (renderer.has_pixels()) {
+        const bool is_padded = columns >= least_two_pixels && !is_round(renderer, columns);
+        return is_padded && text.size() == 1 ? " " + text : text;
+    }
+    if (!renderer.has_regions() || columns >= least_large) return text;
+    if (text.size() == 1 && columns >= least_two) text = " " + text;
     if (columns >= least_three) text += " ";
     return text;
 }
@@ -241,8 +246,6 @@ int number_width(const View& view, std::size_t ball) {
     constexpr double least = 0.8;  // columns
     if (number <= 0 || diameter < least) return 0;
     const int width = static_cast<int>(label_of(view, number, radius).size());
-    constexpr double margin = 0.75;  // columns
-    if (is_round(renderer_in_force(view.options), diameter) && diameter < width + margin) return 0;
     // As wide as the widest, so that a rack has all of its numbers or none.
     constexpr int widest = 2;
     return covers_another(view, ball, std::max(width, widest)) ? 0 : width;

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <utility>
 
 #include "terminal/canvas/raster.h"
 #include "terminal/draw/draw.h"
@@ -93,14 +94,26 @@ TEST_CASE("effects: the number of a pool ball is in its middle wherever the ball
     }
 }
 
-TEST_CASE("effects: a number that would not lie within its ball is left out") {
-    const auto has_number = [](double radius) {
-        return drawn(table_with_ball(radius), with(octant_renderer()), numbered(12))
-                   .text()
-                   .find("12") != std::string::npos;
-    };
-    CHECK_FALSE(has_number(1.0));
-    CHECK(has_number(2.0));
+TEST_CASE("effects: a ball too small to be round around its number is the cells of the number") {
+    for (const Renderer& renderer : renderers()) {
+        if (!renderer.has_pixels()) continue;
+        CAPTURE(renderer.name);
+        for (const double radius : {0.8, 1.0, 1.25}) {
+            CAPTURE(radius);
+            for (const auto& [number, text] : {std::pair{3, " 3"}, std::pair{12, "12"}}) {
+                const Canvas canvas =
+                    drawn(table_with_ball(radius), with(renderer), numbered(number));
+                CHECK(canvas.text().find(text) != std::string::npos);
+                const Color own = number == 12 ? ink_of(Role::stripe_white, {}).color
+                                               : ink_of_pool_ball(number, {}).color;
+                int written = 0;
+                for (int row = 0; row < canvas.rows(); ++row)
+                    for (int column = 0; column < canvas.columns(); ++column)
+                        written += canvas.at(column, row).background == own;
+                CHECK(written == 2);
+            }
+        }
+    }
 }
 
 TEST_CASE("effects: numbers do not cover other balls, as in a rack of small balls") {
