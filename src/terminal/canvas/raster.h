@@ -115,6 +115,7 @@ class Raster {
                     Coverage coverage);
     template <class Coverage>
     void paint_pixels(CellSamples& cell, RasterPoint corner, const Brush& brush, Coverage coverage);
+    double snap_to_pixels(RasterPoint& start, RasterPoint& end, double radius) const;
     void thin_line(RasterPoint start, RasterPoint end, const Brush& brush);
     void paint_capsule(RasterPoint start, RasterPoint end, double thickness, const Brush& brush);
     RasterPoint middle_of_number(RasterPoint center, int width) const;

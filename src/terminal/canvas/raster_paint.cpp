@@ -220,6 +220,24 @@ void Raster::thin_line(RasterPoint start, RasterPoint end, const Brush& brush) {
     }
 }
 
+// An axis-parallel capsule covers whole pixels, as many wherever it lies, so bars of one thickness
+// look alike, and two that share an end meet in a clean corner. Returns its radius. (Renderers with
+// regions have characters for lines in between.)
+double Raster::snap_to_pixels(RasterPoint& start, RasterPoint& end, double radius) const {
+    if (start.x != end.x && start.y != end.y) return radius;
+    const double across = start.y == end.y ? height_ : width_;
+    const double pixels = std::max(1.0, std::round(2.0 * radius / across));
+    const double snapped = 0.5 * pixels * across;
+    // A middle on a border between pixels, or in a pixel.
+    const auto snap = [&](double x, double size) {
+        const bool is_even = std::fmod(std::round(2.0 * snapped / size), 2.0) == 0.0;
+        return is_even ? std::round(x / size) * size : middle_of_sample(x, size);
+    };
+    start = {snap(start.x, width_), snap(start.y, height_)};
+    end = {snap(end.x, width_), snap(end.y, height_)};
+    return snapped;
+}
+
 void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Brush& painted) {
     if (!is_finite(start) || !is_finite(end) || !std::isfinite(radius) || radius < 0.0) return;
     Brush brush = painted;
@@ -228,13 +246,9 @@ void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Br
     const bool is_flat = std::abs(end.x - start.x) * height_ >= std::abs(end.y - start.y) * width_;
     const double half_pixel = is_point ? 0.0 : 0.5 * (is_flat ? height_ : width_);
     const bool is_thin = radius <= std::max(hairline(), half_pixel);
-    // An axis-parallel line as thin as a pixel is drawn exactly one pixel thick wherever it lies,
-    // not as two faint ones, so that all bars in a row look alike. (Renderers with regions have
-    // characters for lines in between.)
-    if (is_thin && !renderer_->has_regions()) {
-        if (start.x == end.x) start.x = end.x = middle_of_sample(start.x, width_);
-        if (start.y == end.y) start.y = end.y = middle_of_sample(start.y, height_);
-    }
+    double thickness = std::max(radius, hairline());
+    if (!renderer_->has_regions() && (!is_point || is_thin))
+        thickness = snap_to_pixels(start, end, thickness);
     const bool is_sharp = (is_sharp_ && renderer_->is_sharp) || brush.is_crisp;
     if (is_thin && is_sharp && renderer_->has_pixels() && brush.tone > 0)
         return thin_line(start, end, brush);
@@ -242,7 +256,7 @@ void Raster::capsule(RasterPoint start, RasterPoint end, double radius, const Br
         return lines_.draw({start.x, start.y / aspect_}, {end.x, end.y / aspect_}, brush.ink,
                            brush.tone < least_strong);
     }
-    paint_capsule(start, end, std::max(radius, hairline()), brush);
+    paint_capsule(start, end, thickness, brush);
 }
 
 // A capsule by the coverage of each sample.

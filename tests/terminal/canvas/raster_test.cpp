@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 using namespace carom;
@@ -156,6 +157,57 @@ TEST_CASE("axis-parallel hairlines are one pixel thick at any position") {
             CHECK(lit_across == 1);
             CHECK(lit_down == 1);
         }
+    }
+}
+
+TEST_CASE("axis-parallel bars of one thickness cover as many pixels at any position") {
+    // Down a column or along a row of samples: how many are lit; -1: some are so only partly.
+    const auto thickness = [](const Raster& raster, bool is_level) {
+        int lit = 0;
+        const int most = is_level ? raster.samples_down() : raster.samples_across();
+        for (int i = 0; i < most; ++i) {
+            const int level = is_level ? raster.level_at(raster.samples_across() / 2, i)
+                                       : raster.level_at(i, raster.samples_down() / 2);
+            if (level > 0 && level < 255) return -1;
+            lit += level > 0;
+        }
+        return lit;
+    };
+    for (const Renderer& renderer : renderers()) {
+        if (renderer.has_regions()) continue;
+        CAPTURE(renderer.name);
+        for (const double radius : {0.3, 0.7, 1.1, 2.3})
+            for (const bool is_level : {false, true}) {
+                CAPTURE(radius);
+                CAPTURE(is_level);
+                std::optional<int> first;
+                for (int step = 0; step < 13; ++step) {
+                    Raster raster(renderer, 20, 10, 2.0);
+                    const double at = 8.0 + 0.17 * step;
+                    if (is_level)
+                        raster.capsule({2.0, at}, {18.0, at}, radius, solid);
+                    else
+                        raster.capsule({at, 2.0}, {at, 18.0}, radius, solid);
+                    const int now = thickness(raster, is_level);
+                    if (!first) first = now;
+                    CHECK(now == *first);
+                    CHECK(now > 0);
+                }
+            }
+    }
+}
+
+TEST_CASE("bars that share an end meet in a corner without a rest beyond it") {
+    for (const double shift : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+        Raster raster(half_block_renderer(), 20, 10, 2.0);
+        raster.capsule({4.0 + shift, 4.0 + shift}, {16.0, 4.0 + shift}, 0.3, solid);
+        raster.capsule({4.0 + shift, 4.0 + shift}, {4.0 + shift, 16.0}, 0.3, solid);
+        int beyond = 0;
+        for (int down = 0; down < raster.samples_down(); ++down)
+            for (int across = 0; across < raster.samples_across(); ++across)
+                beyond += raster.level_at(across, down) > 0 && (across < 4 || down < 4);
+        CHECK(beyond == 0);
+        CHECK(raster.level_at(4, 4) == 255);
     }
 }
 

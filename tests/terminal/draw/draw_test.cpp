@@ -114,7 +114,7 @@ TEST_CASE("a ball between two walls, in braille") {
     add_capsule(scene.world, {{2, 2}, {2, 10}, 0.0}, 1);
     put_ball(scene, {12, 5}, 3.5);
     CHECK(Drawing(41, 11).draw(scene, in(braille_renderer())).text() == R"(
-    ⢰
+    ⢠
     ⢸
     ⢸               ⣠⢴⢖⢟⢝⢝⢖⢦⣄
     ⢸             ⢠⢞⢕⢕⢕⢕⢕⢕⢕⢕⢝⢷⡄
