@@ -87,9 +87,9 @@ void draw_world(Canvas& canvas, const Camera& camera, const Scene& scene, const 
         color_pool_balls(inks, scene, world, *annotations.pool, options.look);
     Raster raster = memory.ground.raster();
     const View view{camera, scene, world, options, annotations, memory, contacts, inks};
-    polish_balls(inks, view);
-
     const Board& board = memory.ground.board(scene);
+    polish_balls(inks, view, board);
+
     paint_pool_table(raster, view, board);
     paint_overlays_below(raster, view);
     if (options.trails) {

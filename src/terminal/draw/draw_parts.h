@@ -121,8 +121,8 @@ bool is_striped(const View& view, std::size_t ball);
 /// is too small to look round around its number is no more than the cells of the number.
 int number_width(const View& view, std::size_t ball);
 
-/// Gives the balls of a pinball table the look of steel.
-void polish_balls(std::vector<Ink>& inks, const View& view);
+/// Gives the balls of a pinball table the look of steel, which differs from the board.
+void polish_balls(std::vector<Ink>& inks, const View& view, const Board& board);
 
 // Onto the canvas, over all shapes.
 void write_insert_names(BoardTexts& texts, const View& view);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "terminal/canvas/character_width.h"
+#include "terminal/draw/board.h"
 #include "terminal/draw/draw_parts.h"
 
 /// The lights of a pinball table.
@@ -125,9 +126,15 @@ void paint_lit_edges(Raster& raster, const View& view) {
         paint_gauge(raster, view, gauge);
 }
 
-void polish_balls(std::vector<Ink>& inks, const View& view) {
+void polish_balls(std::vector<Ink>& inks, const View& view, const Board& board) {
     if (!view.annotations.table || view.options.color_by != ColorBy::kind) return;
-    std::ranges::fill(inks, ink_of(Role::strong, view.options.look));
+    const Look& look = view.options.look;
+    Ink steel = ink_of(Role::strong, look);
+    // A board may be dark in a light theme too.
+    if (look.has_shades() && !board.is_empty())
+        steel.color = text_color_on(
+            view.memory.ground.inks().board[static_cast<std::size_t>(Ground::board)], look);
+    std::ranges::fill(inks, steel);
 }
 
 }  // namespace carom

@@ -122,6 +122,21 @@ TEST_CASE("the name of an unlit insert can be read on a dark board") {
         }
 }
 
+TEST_CASE("the ball of a table can be seen on its board, dark or light, in any theme") {
+    for (const std::string board :
+         {"theme board=navy\nbox 0,0 60,60\n", "theme board=#f0e8d8\nbox 0,0 60,60\n", ""})
+        for (const bool is_light : {false, true})
+            for (const int colors : {256, direct_colors}) {
+                CAPTURE(board);
+                CAPTURE(is_light);
+                const Picture picture(TableAnnotations{}, octant_renderer(),
+                                      board + "ball b at=30,30 r=6\n", is_light, colors);
+                const Cell& ball = picture.canvas.at(30, 15);
+                const bool is_on_dark = board.empty() ? !is_light : board.find("navy") < 99;
+                CHECK((luminance(rgb_of(ball.foreground)) > 0.7) == is_on_dark);
+            }
+}
+
 TEST_CASE("small inserts are squares, the same wherever they lie, and dim until they are lit") {
     for (const Renderer* renderer :
          {&half_block_renderer(), &sextant_renderer(), &octant_renderer()}) {
