@@ -19,6 +19,8 @@ namespace {
 constexpr int wide = 70;
 constexpr int least_panel_columns = 24;
 constexpr int least_panel_rows = 7;
+/// Blank columns between the world and the panels to its right.
+constexpr int gap = 2;
 /// Of a histogram below its bins.
 constexpr int most_rows_below = 14;
 constexpr int least_rows_for_below = 32;
@@ -31,6 +33,16 @@ CellArea cut_bottom(CellArea& area, int rows) {
 CellArea cut_right(CellArea& area, int columns) {
     area.columns -= columns;
     return {area.column + area.columns, area.row, columns, area.rows};
+}
+
+void cut_left(CellArea& area, int columns) {
+    area.column += columns;
+    area.columns -= columns;
+}
+
+void cut_top(CellArea& area) {
+    ++area.row;
+    --area.rows;
 }
 
 CurvePicture picture_of(Observable what, const Observer& observer, const World& world) {
@@ -103,8 +115,11 @@ void Panels::cut(CellArea& area, const Scene& scene, bool is_split) {
     }
     if (area.columns >= wide) {
         CellArea side = cut_right(area, std::max(least_panel_columns, area.columns * 2 / 5));
-        for (std::size_t i = panels.size(); i-- > 1;)
+        cut_left(side, gap);
+        for (std::size_t i = panels.size(); i-- > 1;) {
             *panels[i] = cut_bottom(side, side.rows / static_cast<int>(i + 1));
+            if (panels[i]->rows > least_panel_rows) cut_top(*panels[i]);
+        }
         *panels.front() = side;
     } else if (area.rows >= 2 * least_panel_rows) {
         *panels.front() = cut_bottom(area, std::max(least_panel_rows, area.rows / 3));

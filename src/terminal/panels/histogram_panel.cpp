@@ -194,7 +194,12 @@ void draw_histogram_below(Canvas& canvas, const CellArea& area, const Histogram&
          ink_of(Role::strong, look)}};
     for (PanelText& text : statistics_texts(histogram, look))
         words.push_back(std::move(text));
-    write_flowing(canvas, {area.column, area.row, area.columns, 1}, words);
+    // They begin where the bars do, or as far to the left of it as they need.
+    const int end = area.column + area.columns;
+    int start = std::clamp(column_of(borders.front()), area.column, end);
+    while (start > area.column && rows_for(words, end - start) > 1)
+        --start;
+    write_flowing(canvas, {start, area.row, end - start, 1}, words);
 }
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -146,6 +147,20 @@ bins / binomial  N 7  mean 1.143 (1.143)
     ------------
      1   4   2
 )");
+}
+
+TEST_CASE("the words over bars below their bins begin where the bars do, if they fit there") {
+    const Histogram histogram{"bins", {1, 4, 2}, {}, ""};
+    const std::vector<double> borders{30.0, 34.0, 38.0, 42.0};
+    for (const int columns : {100, 60, 44}) {
+        CAPTURE(columns);
+        Canvas canvas(columns, 7);
+        draw_histogram_below(canvas, {0, 0, columns, 7}, histogram, borders, {0, false, false});
+        const std::string words = "bins  N 7  mean 1.143  variance 0.408";
+        const std::string line = canvas.text().substr(0, canvas.text().find('\n'));
+        const auto room = static_cast<std::size_t>(columns) - words.size();
+        CHECK(line.find(words) == std::min<std::size_t>(30, room));
+    }
 }
 
 TEST_CASE("bins too narrow to have bars below them do not fit") {
