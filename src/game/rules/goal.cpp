@@ -9,11 +9,27 @@ namespace {
 
 using Counts = LevelGoal::Counts;
 
+std::string shots_text(double shots) {
+    return fmt::format("{:.0f} {}", shots, shots == 1.0 ? "shot" : "shots");
+}
+
 std::string amount(const LevelGoal& goal, double spent) {
     if (goal.counts == Counts::seconds) return fmt::format("in {:.1f} s", spent);
     if (goal.counts == Counts::value || goal.counts == Counts::cost)
         return fmt::format("with {:.0f}", spent);
-    return fmt::format("in {:.0f} {}", spent, spent == 1.0 ? "shot" : "shots");
+    return "in " + shots_text(spent);
+}
+
+// What the next stars take, where there are stars to lose: "1 for 3 stars".
+std::string next_stars(const LevelGoal& goal, double shots) {
+    if (goal.limits.size() < 2) return {};
+    int stars = most_stars;
+    for (const double limit : goal.limits) {
+        if (limit > shots)
+            return fmt::format("; {:.0f} for {} {}", limit, stars, stars == 1 ? "star" : "stars");
+        --stars;
+    }
+    return {};
 }
 
 }  // namespace
@@ -51,9 +67,8 @@ std::string goal_text(const RuleBook& book, const GoalState& goal) {
         return fmt::format("Done {}: {} of {} stars", amount(wanted, goal.done->spent),
                            goal.done->stars, most_stars);
     if (wanted.limits.empty() || wanted.counts != Counts::shots) return wanted.text;
-    const double most = wanted.limits.back();
-    return fmt::format("{} ({} of {:.0f} {})", wanted.text, goal.shots, most,
-                       most == 1.0 ? "shot" : "shots");
+    return fmt::format("{} ({} of {}{})", wanted.text, goal.shots, shots_text(wanted.limits.back()),
+                       next_stars(wanted, goal.shots));
 }
 
 void add_to(Digest& digest, const GoalState& goal) {

@@ -38,8 +38,8 @@ int stars_within(const LevelGoal& goal, double spent);
 /// Notes that the level's goal is reached, if it is. Pre: the tick is over.
 void note_goal(const RuleBook& book, const RuleState& rules, const RuleHost& host, GoalState& goal);
 
-/// "Clear the table. (1 of 4 shots)"; once it is reached "Done in 3 shots: 2 of 3 stars", or "No
-/// star with 2: it takes 3"; empty: the level has no goal.
+/// "Clear the table. (1 of 4 shots; 2 for 3 stars)"; once it is reached "Done in 3 shots: 2 of 3
+/// stars", or "No star with 2: it takes 3"; empty: the level has no goal.
 std::string goal_text(const RuleBook& book, const GoalState& goal);
 
 /// Adds the state to a fingerprint.

@@ -76,7 +76,8 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<HudField> field
     const int columns = bar.canvas.columns();
     // Half of the line is for the title, if it is that long; in a narrow window, the least that it
     // needs.
-    const int first = fields.empty() ? 0 : width_of(fields.front()) + hud_field_gap;
+    const auto state = std::ranges::find(fields, 0, &HudField::rank);
+    const int first = state == fields.end() ? 0 : width_of(*state) + hud_field_gap;
     const int others = info.title_comes_first ? first + 2 : columns / 2 + 8;
     const int least_title = info.title_comes_first || columns >= 60
                                 ? std::max(0, std::min(columns_of(info.title), columns - others))

@@ -94,7 +94,7 @@ HudField state_field(const HudInfo& info, const Look& look) {
 // other things to say.
 std::vector<HudField> game_fields(const HudInfo& info, const Look& look) {
     std::vector<HudField> fields;
-    if (!info.game.empty() && !info.goal.empty() && !info.title_comes_first)
+    if (!info.game.empty() && !info.goal.empty())
         fields.push_back({"", info.goal, ink_of(Role::warning, look), 4});
     if (info.is_paused || info.speed != 1.0) fields.push_back(state_field(info, look));
     if (info.latest_tick > info.tick)

@@ -112,12 +112,15 @@ void draw_player(Canvas& canvas, const CellArea& area, const PoolPanel::Player& 
     }
 }
 
-void draw_tray(Canvas& canvas, const CellArea& area, int row, const PoolPanel& panel,
+// Over the middle of the table, as far as the area has room.
+void draw_tray(Canvas& canvas, const CellArea& area, int table_columns, const PoolPanel& panel,
                const Look& look) {
     if (panel.tray.empty()) return;
+    const int row = area.rows - 1;
     const std::string_view title = "pocketed ";
     const int width = columns_of(title) + 3 * static_cast<int>(panel.tray.size());
-    int column = area.column + std::max(0, (area.columns - width) / 2);
+    const int middle = (table_columns - 2 - width) / 2;
+    int column = area.column + std::clamp(middle, 0, std::max(0, area.columns - width));
     column = canvas.write(column, area.row + row, title, ink_of(Role::faint, look).color);
     for (const int ball : panel.tray) {
         if (column + 2 > area.column + area.columns) return;
@@ -133,15 +136,18 @@ void draw_strip(Canvas& canvas, const CellArea& area, const PoolPanel& panel,
         const auto& [first, second] = *panel.players;
         std::string score = fmt::format("{} : {}", first.frames, second.frames);
         if (panel.race > 0) score += fmt::format("   race to {}", panel.race);
+        // The score is over the middle of the table.
         const int middle = columns_of(score) + 4;
-        const int side = (columns - middle) / 2;
+        const int side = (area.columns - 2 - middle) / 2;
         draw_player(canvas, {area.column + 1, area.row, side, area.rows}, first, Side::left, look);
-        draw_player(canvas, {area.column + 1 + side + middle, area.row, side, area.rows}, second,
-                    Side::right, look);
+        draw_player(canvas,
+                    {area.column + 1 + side + middle, area.row,
+                     std::min(side, columns - side - middle), area.rows},
+                    second, Side::right, look);
         canvas.write(area.column + 3 + side, area.row, score, ink_of(Role::counter, look).color,
                      default_color, bold);
     }
-    draw_tray(canvas, {area.column + 1, area.row, columns, area.rows}, area.rows - 1, panel, look);
+    draw_tray(canvas, {area.column + 1, area.row, columns, area.rows}, area.columns, panel, look);
     if (panel.tip)
         draw_tip(canvas,
                  {area.column + area.columns - tip_columns - 1, area.row, tip_columns, area.rows},

@@ -60,16 +60,21 @@ struct Practice {
 
 TEST_CASE("a level without a game counts the shots of its goal") {
     Practice practice("goal \"Pocket it.\" within 1 2 3 shots if count(red)=0 and rest\n");
+    const auto text = [&] {
+        return task_text(practice.session.scene(), practice.session.world(),
+                         practice.session.game());
+    };
+    // The menu promises a puzzle of one shot: so the text says what one shot is worth.
+    CHECK(text() == "Pocket it. (0 of 3 shots; 1 for 3 stars)");
     practice.shoot({-0.3, 0.0});
+    CHECK(text() == "Pocket it. (1 of 3 shots; 2 for 2 stars)");
     CHECK(stars_of(practice.session.game()) == 0);
     CHECK_FALSE(practice.play().goal.done);
     practice.shoot({2.5, 0.0});
     REQUIRE(practice.play().goal.done);
     CHECK(practice.play().goal.done->shots == 2);
     CHECK(stars_of(practice.session.game()) == 2);
-    const std::string text =
-        task_text(practice.session.scene(), practice.session.world(), practice.session.game());
-    CHECK(text == "Done in 2 shots: 2 of 3 stars");
+    CHECK(text() == "Done in 2 shots: 2 of 3 stars");
 }
 
 TEST_CASE("a goal waits for what it asks, and a shot taken back does not count") {

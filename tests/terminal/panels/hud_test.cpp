@@ -154,6 +154,23 @@ TEST_CASE("the name of a level comes before the state of its game, where both fi
     CHECK(drawn(info, 40, 24).find(" Clear the table.") != std::string::npos);
 }
 
+TEST_CASE("the goal stands beside the state of a game, and before the level's name") {
+    HudInfo info = galton();
+    info.is_game = true;
+    info.title_comes_first = true;
+    info.name = "Drill: the stop shot";
+    info.title = "TRY 1 OF 5   DONE 0";
+    info.game = "2.00 m/s  tip centre";
+    info.goal = "Pocket the ball, and stop dead.";
+    CHECK(
+        drawn(info, 80, 24)
+            .find(" Drill: the stop shot  TRY 1 OF 5   DONE 0  Pocket the ball, and stop dead.") !=
+        std::string::npos);
+    CHECK(drawn(info, 60, 24).find(" TRY 1 OF 5   DONE 0  Pocket the ball, and stop dead.") !=
+          std::string::npos);
+    CHECK(drawn(info, 40, 24).find("Pocket") == std::string::npos);
+}
+
 TEST_CASE("no line is ever longer than the window") {
     HudInfo info = galton();
     info.title = std::string(500, 'x');

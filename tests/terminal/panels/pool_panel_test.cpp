@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdlib>
+
 using namespace carom;
 
 TEST_CASE("pool panel: a strip where a table leaves rows free, a column where it leaves columns") {
@@ -17,6 +19,27 @@ TEST_CASE("pool panel: a strip where a table leaves rows free, a column where it
     CellArea small{0, 0, 40, 17};
     CHECK(cut_pool_panel(small, shape, 2.0) == CellArea{});
     CHECK(small == CellArea{0, 0, 40, 17});
+}
+
+TEST_CASE("pool panel: the score and the tray are over the middle of the table, tip or none") {
+    PoolPanel panel;
+    panel.players = {PoolPanel::Player{"Ann", "", {}, 2, true},
+                     PoolPanel::Player{"carom", "", {}, 0, false}};
+    panel.tray = {3, 10};
+    for (const bool has_tip : {false, true}) {
+        CAPTURE(has_tip);
+        if (has_tip) panel.tip = PoolPanel::Tip{};
+        Canvas canvas(101, 3);
+        draw_pool_panel(canvas, {0, 0, 101, 3}, panel, ascii_renderer(), 2.0, {0, false, false});
+        CHECK(canvas.at(50, 0).glyph == U':');
+        int first = 0;
+        while (canvas.at(first, 2).glyph == U' ')
+            ++first;
+        int last = 90;  // the tip is beyond
+        while (canvas.at(last, 2).glyph == U' ')
+            --last;
+        CHECK(std::abs(first + last - 100) <= 1);
+    }
 }
 
 TEST_CASE("pool panel: players, groups, the score and the tray, in ASCII without colours") {
