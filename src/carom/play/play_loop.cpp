@@ -165,6 +165,7 @@ Canvas PlayLoop::draw(bool is_stalled) {
 }
 
 void PlayLoop::show(const Canvas& canvas, double now) {
+    if (pacing_.wants_query() && screen_.ask()) pacing_.asked(now);
     const std::size_t bytes = screen_.show(canvas, FrameEnd::asks);
     if (bytes == 0) return;
     pacing_.drawn(now, bytes);

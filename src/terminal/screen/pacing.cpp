@@ -13,12 +13,15 @@ constexpr double urgent_interval = 0.004;         // s; a drag may send a thousa
 constexpr double stalled_urgent_interval = 0.25;  // s
 constexpr double early = 0.001;                   // s by which a frame may be early
 
-constexpr std::size_t least_window = 2;
+constexpr std::size_t usual_window = 2;
 constexpr std::size_t most_kept = 256;  // unanswered frames remembered
 constexpr double short_queue = 0.015;   // s; a frame that waited no longer met no queue
 constexpr double long_queue = 0.035;    // s; a frame that waited longer met too many others
-constexpr double contentment = 5.0;     // s before the window may grow again
-constexpr double path_memory = 10.0;    // s after which the shortest round trip is measured again
+// A single frame under way, whose queue is so many round trips, keeps the link busy for 80 % of the
+// time. A second one would only be older.
+constexpr double busy_alone = 4.0;
+constexpr double contentment = 5.0;   // s before the window may grow again
+constexpr double path_memory = 10.0;  // s after which the shortest round trip is measured again
 
 }  // namespace
 
@@ -68,16 +71,21 @@ void Pacing::drawn(double now, std::size_t bytes) {
     if (is_stalled(now)) {  // frames not answered by now never will be
         lost_ += sent_.size();
         sent_.clear();
-        window_ = least_window;
+        window_ = usual_window;
         has_asked_again_ = true;
     }
-    sent_.push_back({.at = now, .was_alone = sent_.empty()});
+    sent_.push_back({.at = now, .was_alone = sent_.empty() || sent_.back().is_query});
     ++drawn_;
     if (sent_.size() > most_kept) sent_.pop_front();
     if (options_.bytes_per_second > 0.0) {
         bytes_due_ =
             std::max(bytes_due_, now) + static_cast<double>(bytes) / options_.bytes_per_second;
     }
+}
+
+void Pacing::asked(double now) {
+    sent_.push_back({.at = now, .is_query = true});
+    ++drawn_;
 }
 
 void Pacing::answered(std::size_t total, double now) {
@@ -94,25 +102,28 @@ void Pacing::answered(std::size_t total, double now) {
 
 // A round trip about as short as the shortest met no queue, so there is room for more frames. A
 // long one waited behind carom's own frames, or behind other traffic.
-void Pacing::learn(const Sent& frame, double now) {
-    round_trip_ = std::max(1.0e-6, now - frame.at);
-    const std::size_t number = drawn_ - sent_.size();  // of frames answered or lost
-    if (frame.was_alone && (is_probing_ || shortest_trip_ <= 0.0)) {
+void Pacing::learn(const Sent& sent, double now) {
+    round_trip_ = std::max(1.0e-6, now - sent.at);
+    if (sent.is_query) {
         shortest_trip_ = round_trip_;
         is_probing_ = false;
+        return;
     }
-    shortest_trip_ = std::min(shortest_trip_, round_trip_);
+    const std::size_t number = drawn_ - sent_.size();  // of what is answered or lost
+    shortest_trip_ = shortest_trip_ > 0.0 ? std::min(shortest_trip_, round_trip_) : round_trip_;
     const double queue = round_trip_ - shortest_trip_;
     if (queue <= short_queue) seen_short_ = now;
     if (now - seen_short_ > path_memory) {  // the link may have become slower
         is_probing_ = true;
         seen_short_ = now;
     }
+    const double busy = busy_alone * static_cast<double>(window_) * shortest_trip_;
+    const std::size_t least = queue > busy ? 1 : usual_window;
     const double useful = std::ceil(shortest_trip_ * options_.frames_per_second) + 1.0;
-    const auto most = std::max(least_window, static_cast<std::size_t>(std::min(useful, 64.0)));
+    const auto most = std::max(usual_window, static_cast<std::size_t>(std::min(useful, 64.0)));
     const bool is_limit = sent_.size() + 1 >= window_;
     // The effect of a change shows only once a frame that was sent after it has been answered.
-    if (number <= changed_at_ || frame.was_alone) return;
+    if (number <= changed_at_ || (sent.was_alone && window_ > 1)) return;
     const std::size_t before = window_;
     if (queue > long_queue) {
         // As many frames as the link holds without a queue; then no growth for a while.
@@ -122,7 +133,7 @@ void Pacing::learn(const Sent& frame, double now) {
     } else if (queue <= short_queue && is_limit && now >= may_grow_at_) {
         window_ += std::max<std::size_t>(1, window_ / 3);
     }
-    window_ = std::clamp(window_, least_window, most);
+    window_ = std::clamp(window_, least, most);
     if (window_ != before) changed_at_ = drawn_ + (window_ > before ? window_ - before : 0);
 }
 

@@ -6,10 +6,18 @@
 /// Decides when to draw the next frame, so that old frames never queue up on a slow link.
 ///
 /// Every frame ends with a status query (Screen::show with FrameEnd::asks), and only a few frames
-/// may be unanswered at a time: two, or more where the round trip is long and the queue short. Pure
-/// arithmetic on times, in seconds of a monotonic clock, that the caller measures:
+/// may be unanswered at a time:
+///
+///     one             while sending a frame takes many times the round trip
+///     two             normally
+///     more than two   where the round trip is long and the queue short
+///
+/// A query by itself, before the first frame and now and then on a congested link, measures the
+/// round trip without the time that it takes to send a frame. Pure arithmetic on times, in seconds
+/// of a monotonic clock, that the caller measures:
 ///
 ///     if (pacing.may_draw(now, input_came)) {
+///         if (pacing.wants_query() && screen.ask()) pacing.asked(now);
 ///         bytes = screen.show(canvas, FrameEnd::asks);
 ///         if (bytes > 0) pacing.drawn(now, bytes);
 ///     }
@@ -37,7 +45,11 @@ class Pacing {
     bool may_draw(double now, bool urgent = false) const;
     /// A frame of so many bytes was sent, and ended with a query.
     void drawn(double now, std::size_t bytes);
-    /// The total number of answers since the start.
+    /// Whether a query by itself should precede the next frame.
+    bool wants_query() const { return sent_.empty() && (is_probing_ || shortest_trip_ <= 0.0); }
+    /// Such a query was sent.
+    void asked(double now);
+    /// The total number of answers since the start, to frames and queries.
     void answered(std::size_t total, double now);
 
     /// How long to wait for input before a frame (or an urgent one) may be sent, s; 0 if it may be
@@ -52,7 +64,7 @@ class Pacing {
     /// fixed, modest rate.
     bool is_blind(double now) const;
 
-    std::size_t unanswered() const { return sent_.size(); }
+    std::size_t unanswered() const { return sent_.size(); }  ///< frames and queries
     std::size_t window() const {
         return is_probing_ ? 1 : window_;
     }                                                  ///< most unanswered frames at present
@@ -62,13 +74,14 @@ class Pacing {
     struct Sent {
         double at = 0.0;
         bool was_alone = false;  // no earlier frame was unanswered
+        bool is_query = false;   // by itself, without a frame
     };
     double interval(double now) const;
-    void learn(const Sent& frame, double now);
+    void learn(const Sent& sent, double now);
 
     PacingOptions options_;
-    std::deque<Sent> sent_;         // the unanswered frames, oldest first
-    std::size_t drawn_ = 0;         // frames sent since the start
+    std::deque<Sent> sent_;         // what is unanswered, oldest first
+    std::size_t drawn_ = 0;         // frames and queries sent since the start
     std::size_t lost_ = 0;          // answers that are no longer expected
     bool has_answers_ = false;      // at least one answer has come
     bool has_asked_again_ = false;  // stalled, and a frame has been sent since
@@ -76,7 +89,7 @@ class Pacing {
     /// Number of the last frame that does not yet show the effect of the last change of window_.
     std::size_t changed_at_ = 0;
     double may_grow_at_ = -1.0e9;
-    bool is_probing_ = false;  // one frame at a time, to measure the round trip without a queue
+    bool is_probing_ = false;  // one frame at a time, so that a query meets no queue
     double round_trip_ = 0.0;
     double shortest_trip_ = 0.0;  // the round trip without a queue; 0: not known
     double seen_short_ = 0.0;     // when a round trip was last about that short

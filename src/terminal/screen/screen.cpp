@@ -120,6 +120,13 @@ std::vector<InputEvent> Screen::wait(double seconds, int also) {
     return std::exchange(state.waiting, {});
 }
 
+bool Screen::ask() {
+    State& state = *state_;
+    if (!state.is_open || state.is_gone || !state.send(status_question)) return false;
+    ++state.queries.asked;
+    return true;
+}
+
 unsigned Screen::frames_answered() const {
     return state_->queries.answered;
 }

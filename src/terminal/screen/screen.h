@@ -73,7 +73,10 @@ class Screen {
     /// suspends the program before this returns. `also`: a file descriptor that ends the wait when
     /// it becomes readable.
     std::vector<InputEvent> wait(double seconds, int also = -1);
-    /// The number of frames shown with FrameEnd::asks that have been answered since the start.
+    /// Sends the query that ends frames by itself. False: the terminal is gone.
+    bool ask();
+    /// The number of frames shown with FrameEnd::asks, and of calls of ask(), that have been
+    /// answered since the start.
     unsigned frames_answered() const;
 
     MouseMode mouse() const;

@@ -22,10 +22,13 @@ struct Link {
     std::vector<double> ages;        // of each frame when it is shown, s
     std::size_t answered = 0;
 
-    void send(double now, double bytes) {
+    void carry(double now, double bytes) {
         free_at = std::max(free_at, now) + bytes / bytes_per_second;
-        ages.push_back(free_at + delay - now);
         if (answers) answers_due.push_back(free_at + 2 * delay);
+    }
+    void send(double now, double bytes) {
+        carry(now, bytes);
+        ages.push_back(free_at + delay - now);
     }
     std::size_t take(double now) {
         while (!answers_due.empty() && answers_due.front() <= now) {
@@ -50,6 +53,10 @@ int play(Pacing& pacing, Link& link, double& now, double seconds, double bytes,
     for (const double end = now + seconds; now < end; now += 0.001) {
         pacing.answered(link.take(now), now);
         if (!pacing.may_draw(now, is_urgent)) continue;
+        if (pacing.wants_query()) {
+            link.carry(now, 4);
+            pacing.asked(now);
+        }
         link.send(now, bytes);
         pacing.drawn(now, static_cast<std::size_t>(bytes));
         ++frames;
@@ -109,6 +116,36 @@ TEST_CASE("on a congested link no frame is old") {
             CHECK(frames > 0.8 * 20.0 * possible);
         }
     }
+}
+
+TEST_CASE(
+    "frames that fill a near link go one at a time, and none is older than it takes to send") {
+    for (const double delay : {0.0002, 0.002, 0.008}) {
+        CAPTURE(delay);
+        Pacing pacing;
+        Link link{.delay = delay, .bytes_per_second = 64e3};
+        double now = 0.0;
+        const double bytes = 7680;
+        const double on_the_line = bytes / link.bytes_per_second;
+        play(pacing, link, now, 1.0, bytes);
+        const std::size_t settled = link.ages.size();
+        const int frames = play(pacing, link, now, 60.0, bytes);
+        CHECK(link.worst_age_after(settled) < delay + on_the_line + 0.005);
+        CHECK(frames > 0.8 * 60.0 / on_the_line);
+        // Small frames flow at the full rate again.
+        play(pacing, link, now, 10.0, 200);
+        CHECK(play(pacing, link, now, 10.0, 200) > 590);
+    }
+}
+
+TEST_CASE("the round trip is measured without the time that frames take") {
+    Pacing pacing;
+    Link link{.delay = 0.08, .bytes_per_second = 64e3};
+    double now = 0.0;
+    play(pacing, link, now, 5.0, 7680);
+    // A frame takes 0.12 s: alone it would leave the link idle for more than half of the time.
+    CHECK(pacing.window() == 2);
+    CHECK(play(pacing, link, now, 60.0, 7680) > 0.95 * 60.0 * 2.0 / (0.12 + 0.16));
 }
 
 TEST_CASE("a link that becomes slow, and fast again, is noticed") {
