@@ -1,12 +1,14 @@
 #include "carom/play/play_loop.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <signal.h>
 
 #include <string>
 
 #include "carom/support/at_home.h"
 #include "carom/support/process.h"
+#include "support/sanitizers.h"
 #include "support/terminal_program.h"
 
 using namespace carom::test;
@@ -14,13 +16,16 @@ using namespace carom::test;
 namespace {
 
 // Ticks of a few milliseconds: with two cores, they are computed in the second thread.
-const char* const heavy_level = R"(carom 1 "Heavy ticks"
-rate 60
-solver event
-kind light r=0.5
-box 0,0 440,240
-fill light count=5000 box=0,0,440,240 speed=400
-)";
+std::string heavy_level() {
+    return fmt::format(
+        "carom 1 \"Heavy ticks\"\n"
+        "rate 60\n"
+        "solver event\n"
+        "kind light r=0.5\n"
+        "box 0,0 440,240\n"
+        "fill light count={} box=0,0,440,240 speed=400\n",
+        has_sanitizers ? 1000 : 5000);
+}
 
 // The tick in the status line; -1 if it shows none.
 int tick_of(const Emulator& screen) {
@@ -36,7 +41,7 @@ TEST_CASE(
     const TemporaryFolder folder;
     const std::string file = folder.path("game.replay");
     TerminalProgram game({CAROM_BINARY_DIR "/carom", "play",
-                          folder.file("heavy.level", heavy_level), "--record", file},
+                          folder.file("heavy.level", heavy_level()), "--record", file},
                          at_home(folder));
     REQUIRE(game.wait_for_text("Heavy ticks"));
     REQUIRE(game.wait_until([&] { return tick_of(game.screen()) > 20; }, 60.0));
@@ -131,7 +136,7 @@ TEST_CASE("the first picture fills a window that is larger than 80x24") {
 TEST_CASE("pasted text delays neither the end nor a hang-up") {
     const TemporaryFolder folder;
     TerminalProgram game(
-        {CAROM_BINARY_DIR "/carom", "play", folder.file("heavy.level", heavy_level)},
+        {CAROM_BINARY_DIR "/carom", "play", folder.file("heavy.level", heavy_level())},
         at_home(folder));
     REQUIRE(game.wait_for_text("Heavy ticks"));
     // Each of these keys steps one tick; all of them would take longer than this test may.
