@@ -63,7 +63,7 @@ void carry_out(const Scene& scene, World& world, PoolPlay& play, PoolRuling ruli
 }
 
 void decide(PoolPlay& play, std::optional<PoolChoice> choice) {
-    play.decision = {choice, play.last_foul, play.last_penalty};
+    play.decision = {choice, play.last_foul, play.last_penalty, is_miss(play.rules)};
 }
 
 void run_out_of_time(const Scene& scene, World& world, PoolPlay& play) {
@@ -149,6 +149,7 @@ void update_pool(const Scene& scene, World& world, PoolPlay& play,
     if (!is_at_rest(world)) return;
     play.is_shooting = false;
     play.frozen.clear();
+    play.called = play.call;
     carry_out(scene, world, play, judge(play.rules, play.call, play.shot), true);
 }
 

@@ -26,6 +26,8 @@ struct PoolPlay {
     /// Ball n; none: it is off the table.
     std::array<std::optional<BallId>, most_pool_balls> balls{};
     PoolCall call;  ///< for the next shot
+    /// For the last shot. It only serves the words (pool_words.h), and is no part of the digest.
+    PoolCall called;
     bool is_shooting = false;
     PoolShot shot;             ///< the record of the present or the last shot
     bool has_crossed = false;  ///< the cue ball has been beyond the head string in that shot
@@ -53,6 +55,7 @@ struct PoolPlay {
         std::optional<PoolChoice> choice;  ///< none: the player conceded the frame
         PoolFoul foul = PoolFoul::none;    ///< of the shot
         int penalty = 0;
+        bool was_miss = false;  ///< snooker: so the balls could be put back
 
         friend bool operator==(const Decision&, const Decision&) = default;
     };

@@ -182,22 +182,23 @@ bool is_stalemate(const PoolPlay& play) {
     return play.rules.options.stalemate > 0 && play.last_foul == PoolFoul::none;
 }
 
-// "Foul, 4: no ball was hit. "
-std::string foul_sentence(PoolFoul foul, int penalty) {
+// "Foul, 4: no ball was hit. ", "Foul and a miss, 4: no ball was hit. "
+std::string foul_sentence(PoolFoul foul, int penalty, bool is_miss) {
     if (foul == PoolFoul::none) return "";
-    return fmt::format("Foul{}: {}. ", penalty == 0 ? "" : fmt::format(", {}", penalty),
-                       foul_text(foul));
+    return fmt::format("Foul{}{}: {}. ", is_miss ? " and a miss" : "",
+                       penalty == 0 ? "" : fmt::format(", {}", penalty), foul_text(foul));
 }
 
 // What a foul or the reason for the ruling adds: "Foul: no ball was hit. 3 fouls in a row. ".
 std::string why_text(const PoolPlay& play, const PlayerNames& names) {
     const PoolState& rules = play.rules;
     const auto shooter = static_cast<std::size_t>(*play.shooter);
-    const std::string_view reason = rules.referee->reason_text(rules, play.shot, *play.shooter);
+    const std::string_view reason =
+        rules.referee->reason_text(rules, play.called, play.shot, *play.shooter);
     const bool is_new_rack = rules.phase == PoolPhase::breaking;
     if (play.last_foul == PoolFoul::none)
         return reason.empty() || is_new_rack ? "" : fmt::format("{}. ", reason);
-    std::string text = foul_sentence(play.last_foul, play.last_penalty);
+    std::string text = foul_sentence(play.last_foul, play.last_penalty, is_miss(rules));
     const int most = rules.options.fouls_that_lose;
     if (rules.winner && most > 0 && rules.fouls[shooter] >= most)
         text += fmt::format("{} fouls in a row. ", most);
@@ -218,7 +219,7 @@ std::string decision_text(const PoolPlay& play, const PlayerNames& names) {
     const std::string& next = name_of(names, play.rules.player);
     if (!decision.choice)
         return fmt::format("{}. {}", does(next, "concedes"), win_text(play, names));
-    const std::string foul = foul_sentence(decision.foul, decision.penalty);
+    const std::string foul = foul_sentence(decision.foul, decision.penalty, decision.was_miss);
     switch (*decision.choice) {
         case PoolChoice::take_table:
             return fmt::format("{}{} from here", foul, does(next, "shoots"));

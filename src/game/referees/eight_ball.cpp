@@ -100,12 +100,12 @@ class EightBall final : public Referee {
         return fmt::format("{}, {} left", *group == PoolGroup::solids ? "solids" : "stripes", left);
     }
 
-    std::string_view reason_text(const PoolState& state, const PoolShot& shot,
+    std::string_view reason_text(const PoolState& state, const PoolCall& call, const PoolShot& shot,
                                  int shooter) const override {
         if (may_choose(state, PoolChoice::spot_eight)) return "the 8 fell on the break";
         if (may_choose(state, PoolChoice::let_break))
             return "weak break: fewer than four balls hit a cushion";
-        if (!state.winner) return uncalled_text(state, shot, shooter);
+        if (!state.winner) return uncalled_text(state, call, shot, shooter);
         if (*state.winner == shooter || !is_pocketed(shot, eight)) return "";
         PoolState before = state;
         before.down &= ~pocketed_object_balls(shot);

@@ -67,7 +67,8 @@ class NineBall final : public Referee {
         return fmt::format("on the {}", lowest_ball(state, nine));
     }
 
-    std::string_view reason_text(const PoolState& state, const PoolShot&, int) const override {
+    std::string_view reason_text(const PoolState& state, const PoolCall&, const PoolShot&,
+                                 int) const override {
         return may_choose(state, PoolChoice::return_push) ? "a push-out" : "";
     }
 };

@@ -124,7 +124,8 @@ std::string_view Referee::warning_text() const {
     return "the next foul loses";
 }
 
-std::string_view Referee::reason_text(const PoolState&, const PoolShot&, int) const {
+std::string_view Referee::reason_text(const PoolState&, const PoolCall&, const PoolShot&,
+                                      int) const {
     return "";
 }
 
@@ -155,6 +156,10 @@ bool is_down(const PoolState& state, int ball) {
 
 bool may_hit_first(const PoolState& state, int ball) {
     return state.referee->may_hit_first(state, ball);
+}
+
+bool is_miss(const PoolState& state) {
+    return may_choose(state, PoolChoice::replace);
 }
 
 bool may_call(const PoolState& state, PoolCall::Kind kind) {

@@ -93,9 +93,10 @@ class Referee {
     /// "12:40"; empty in a game without points.
     virtual std::string score_text(const PoolState& state) const;
     /// Why the shot ended as it did, where neither the pocketed balls nor a foul tell: "the 8 fell
-    /// too early"; empty where they do. `state`: after the shot of `shooter`.
-    virtual std::string_view reason_text(const PoolState& state, const PoolShot& shot,
-                                         int shooter) const;
+    /// too early"; empty where they do. `state`: after the shot of `shooter`, who had called
+    /// `call`.
+    virtual std::string_view reason_text(const PoolState& state, const PoolCall& call,
+                                         const PoolShot& shot, int shooter) const;
 
     // The planner.
 
@@ -123,6 +124,10 @@ PoolRuling judge(const PoolState& state, const PoolCall& call, const PoolShot& s
 
 /// Referee::is_warned by the referee of this rack.
 bool is_warned(const PoolState& state);
+
+/// Whether the opponent of the player who has fouled may have the balls put back: at snooker, after
+/// a miss.
+bool is_miss(const PoolState& state);
 
 /// Referee::judge_time by the referee of this rack. A player who had to choose gets the first
 /// choice, which is no foul. Pre: the phase is not over.

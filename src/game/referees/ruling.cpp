@@ -83,9 +83,13 @@ bool may_choose(const PoolState& state, PoolChoice choice) {
     return state.phase == PoolPhase::choosing && std::ranges::count(state.choices, choice) > 0;
 }
 
-std::string_view uncalled_text(const PoolState& state, const PoolShot& shot, int shooter) {
+std::string_view uncalled_text(const PoolState& state, const PoolCall& call, const PoolShot& shot,
+                               int shooter) {
     const bool passes = !state.winner && state.player != shooter;
-    return passes && pocketed_object_balls(shot) != 0 ? "not a called pot" : "";
+    if (!passes || pocketed_object_balls(shot) == 0) return "";
+    if (call.kind == PoolCall::Kind::safety) return "a safety was called";
+    const bool is_named = call.kind == PoolCall::Kind::pot && is_pocketed(shot, call.ball);
+    return is_named ? "another pocket was called" : "not a called pot";
 }
 
 void spot(PoolRuling& ruling, int ball) {

@@ -44,7 +44,8 @@ void let_choose(PoolState& state, std::vector<PoolChoice> choices);
 /// Whether a choice is due, and this is one of those offered.
 bool may_choose(const PoolState& state, PoolChoice choice);
 /// Where pots are called: why the turn passes though a ball fell without a foul; else empty.
-std::string_view uncalled_text(const PoolState& state, const PoolShot& shot, int shooter);
+std::string_view uncalled_text(const PoolState& state, const PoolCall& call, const PoolShot& shot,
+                               int shooter);
 /// Puts a pocketed ball back on its spot.
 void spot(PoolRuling& ruling, int ball);
 /// Puts all balls of the set back, by descending numbers.

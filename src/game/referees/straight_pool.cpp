@@ -118,10 +118,10 @@ class StraightPool final : public Referee {
         return fmt::format("{}:{}", state.score[0], state.score[1]);
     }
 
-    std::string_view reason_text(const PoolState& state, const PoolShot& shot,
+    std::string_view reason_text(const PoolState& state, const PoolCall& call, const PoolShot& shot,
                                  int shooter) const override {
         const bool breaks_again = state.phase == PoolPhase::breaking && state.player == shooter;
-        return breaks_again ? "3 fouls in a row" : uncalled_text(state, shot, shooter);
+        return breaks_again ? "3 fouls in a row" : uncalled_text(state, call, shot, shooter);
     }
 
     double lead(const PoolState& state) const override {

@@ -69,10 +69,10 @@ class TenBall final : public Referee {
         return fmt::format("on the {}", lowest_ball(state, ten));
     }
 
-    std::string_view reason_text(const PoolState& state, const PoolShot& shot,
+    std::string_view reason_text(const PoolState& state, const PoolCall& call, const PoolShot& shot,
                                  int shooter) const override {
         if (!may_choose(state, PoolChoice::return_push)) return "";
-        const std::string_view uncalled = uncalled_text(state, shot, shooter);
+        const std::string_view uncalled = uncalled_text(state, call, shot, shooter);
         return uncalled.empty() ? "a push-out" : uncalled;
     }
 };

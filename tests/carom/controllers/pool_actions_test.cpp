@@ -142,7 +142,7 @@ TEST_CASE("after a foul at snooker the message tells it, though carom has chosen
     REQUIRE(person.play().rules.phase != PoolPhase::choosing);
     REQUIRE(person.play().shots == 1);
     person.pass(0.1);
-    CHECK(person.sees("Foul, 4: no ball was hit."));
+    CHECK(person.sees("Foul and a miss, 4: no ball was hit."));
 }
 
 // It pointed full at the apex, softly: a foul.

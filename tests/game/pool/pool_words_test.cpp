@@ -18,6 +18,7 @@ PoolPlay after(PoolState state, const PoolShot& shot, const PoolCall& call = {})
     PoolPlay play;
     play.rules = ruling.next;
     play.shot = shot;
+    play.called = call;
     play.shooter = state.player;
     play.last_foul = ruling.foul;
     play.last_penalty = ruling.penalty;
@@ -102,6 +103,7 @@ TEST_CASE("after a push-out, or a pot that was not called, the choice says so") 
 TEST_CASE("after a choice the words tell the foul, and what was chosen") {
     const Scene scene = test::shipped_level("snooker");
     const PoolShot pink{.first_hit = 20, .rail_after_hit = true};
+    // The miss is announced, for the balls may be put back after it.
     const auto chosen = [&](PoolChoice choice) {
         World world = scene.world;
         PoolPlay play = *begin_pool(scene);
@@ -111,16 +113,18 @@ TEST_CASE("after a choice the words tell the foul, and what was chosen") {
         play.shooter = 0;
         play.last_foul = fouled.last_foul;
         play.last_penalty = fouled.last_penalty;
-        REQUIRE(told(play) == "Foul, 6: the wrong ball was hit first. Player 2 chooses.");
+        REQUIRE(told(play) ==
+                "Foul and a miss, 6: the wrong ball was hit first. Player 2 chooses.");
         make_choice(scene, world, play, choice);
         return told(play);
     };
     CHECK(chosen(PoolChoice::take_table) ==
-          "Foul, 6: the wrong ball was hit first. Player 2 shoots from here.");
+          "Foul and a miss, 6: the wrong ball was hit first. Player 2 shoots from here.");
     CHECK(chosen(PoolChoice::return_push) ==
-          "Foul, 6: the wrong ball was hit first. Player 1 shoots again.");
+          "Foul and a miss, 6: the wrong ball was hit first. Player 1 shoots again.");
     CHECK(chosen(PoolChoice::replace) ==
-          "Foul, 6: the wrong ball was hit first. The balls are put back. Player 1 shoots again.");
+          "Foul and a miss, 6: the wrong ball was hit first. The balls are put back. "
+          "Player 1 shoots again.");
 }
 
 TEST_CASE("all choices of a game fit into the last line of 80 columns") {
@@ -143,6 +147,10 @@ TEST_CASE("a ball that falls without being called passes the turn, and the messa
           "Pocketed: 4. Not a called pot. Player 2 shoots.");
     CHECK(told(after(solids_left({1, 4}), lucky, {PoolCall::Kind::pot, 4, 0})) ==
           "Pocketed: 4. Player 1 continues.");
+    CHECK(told(after(solids_left({1, 4}), lucky, {PoolCall::Kind::pot, 4, 3})) ==
+          "Pocketed: 4. Another pocket was called. Player 2 shoots.");
+    CHECK(told(after(solids_left({1, 4}), lucky, {PoolCall::Kind::safety})) ==
+          "Pocketed: 4. A safety was called. Player 2 shoots.");
     const PoolShot scratch{.first_hit = 1, .pocketed = {{4, 0}, {cue_ball, 1}}};
     CHECK(told(after(solids_left({1, 4}), scratch, other)) ==
           "Pocketed: 4. Foul: the cue ball fell. Player 2: ball in hand.");
