@@ -116,7 +116,7 @@ TEST_CASE("drills: a miss says why") {
     CHECK(says("drill-stop", "Missed: down, but the cue ball ran on."));
     CHECK(says("drill-stop", "Missed: down, but the cue ball came back."));
     CHECK_FALSE(says("drill-stop", "Missed: down, but the cue ball ran aside."));
-    CHECK(says("drill-draw", "Missed: down, but the cue ball did not come back."));
+    CHECK(says("drill-draw", "Missed: down, but the cue ball did not reach the other."));
     CHECK(says("drill-half-ball", "Missed: off the first ball, past the third."));
     CHECK(says("drill-rail", "Missed: the ball stays up."));
 }
