@@ -199,8 +199,13 @@ void rack_again(PoolController& table, PlayContext& play) {
 }
 
 bool keep_frame(PoolController& table, PlayContext& play) {
-    return is_in_match(play.session) &&
-           !is_confirmed(table, play, "restart", "lose this frame and restart");
+    if (!is_in_match(play.session)) return false;
+    const bool is_race = pool_of(play.session)->race > 0;
+    const std::string_view what =
+        is_race ? "lose this match and restart" : "lose this frame and restart";
+    if (!is_confirmed(table, play, "restart", what)) return true;
+    table.players().give_up(play.session);
+    return false;
 }
 
 bool keep_solver(const PoolController& table, PlayContext& play) {

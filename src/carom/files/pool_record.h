@@ -29,9 +29,9 @@ struct PoolRecord {
         friend bool operator==(const Results&, const Results&) = default;
     };
     std::uint64_t shots = 0;
-    std::uint64_t pots = 0;      ///< balls, on shots without a foul
+    std::uint64_t pots = 0;      ///< balls, on shots after which the turn went on
     std::uint64_t attempts = 0;  ///< shots at a ball: neither breaks nor called safeties
-    std::uint64_t made = 0;      ///< of these, without a foul and with a ball down
+    std::uint64_t made = 0;      ///< of these, with a ball down and the turn going on
     std::uint64_t safeties = 0;  ///< called, without a foul
     std::uint64_t fouls = 0;
     std::uint64_t turns = 0;            ///< at the table

@@ -46,6 +46,10 @@ std::optional<PoolRecord> PoolPlayers::take_record(bool all) {
     return since == PoolRecord{} ? std::nullopt : std::optional(since);
 }
 
+void PoolPlayers::give_up(const Session& session) {
+    tally_.give_up(*pool_of(session), opponent());
+}
+
 void PoolPlayers::pass(PlayContext& play, double seconds) {
     opponent_.play(play, seconds);
     count_time(play, seconds);

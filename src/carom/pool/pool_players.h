@@ -59,6 +59,8 @@ class PoolPlayers {
     const PoolRecord& record_before() const { return record_; }
     /// The record before this game, and what has been counted since.
     PoolRecord record() const;
+    /// Counts the frame that is being played, or the match, as lost. Pre: is_in_match().
+    void give_up(const Session& session);
     /// What has been counted since the last call. Unless `all`, only once a frame has ended.
     std::optional<PoolRecord> take_record(bool all);
 

@@ -49,6 +49,8 @@ void ShotTally::count_shot(const PoolPlay& pool) {
     const auto is_object = [](const PoolShot::Pocketed& pocketed) {
         return pocketed.ball != cue_ball;
     };
+    // A ball that ends the turn was not called, or is the opponent's.
+    if (pool.rules.winner.value_or(pool.rules.player) != person) return;
     const auto balls =
         static_cast<std::uint64_t>(std::ranges::count_if(pool.shot.pocketed, is_object));
     if (is_attempt && balls > 0) ++since_.made;
@@ -64,6 +66,14 @@ void ShotTally::count_frame(const PoolPlay& pool, std::size_t opponent) {
     add(since_.frames[opponent], *pool.rules.winner);
     if (broke_ && *pool.rules.winner == person) ++since_.breaks_and_runs;
     if (const auto winner = match_winner(pool)) add(since_.matches[opponent], *winner);
+    has_ended_ = true;
+}
+
+void ShotTally::give_up(const PoolPlay& pool, int opponent) {
+    if (opponent == 0) return;
+    const auto index = static_cast<std::size_t>(opponent - 1);
+    if (pool.shooter && pool.rules.phase != PoolPhase::over) ++since_.frames[index].lost;
+    if (pool.race > 0) ++since_.matches[index].lost;
     has_ended_ = true;
 }
 

@@ -19,6 +19,10 @@ class ShotTally {
     /// Lets the person's seconds pass. Pre: it is the person's turn to shoot or choose.
     void pass(double seconds) { waited_ += seconds; }
 
+    /// The person leaves the frame, and a match with a length, for a new one, which counts as
+    /// lost. Pre: the match is not over.
+    void give_up(const PoolPlay& pool, int opponent);
+
     /// What has been counted since the last call.
     PoolRecord take() { return std::exchange(since_, {}); }
     const PoolRecord& since() const { return since_; }

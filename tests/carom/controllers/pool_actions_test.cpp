@@ -95,9 +95,12 @@ TEST_CASE("a frame that is being played is restarted only when r is pressed twic
         person.key(U'r');
         CHECK(person.sees("Restarted."));
         CHECK(person.world().tick() == 0);
+        const auto lost = [&] { return person.player.pool_players()->record().frames[0].lost; };
+        CHECK(lost() == (is_match ? 1 : 0));
         // Nothing is lost now.
         person.key(U'r');
         CHECK(person.sees("Restarted."));
+        CHECK(lost() == (is_match ? 1 : 0));
     }
 }
 

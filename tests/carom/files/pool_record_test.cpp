@@ -82,6 +82,9 @@ TEST_CASE("shots of the person count, and those of carom do not") {
     shoot(tally, pool, 0, {4, 5}, false);
     shoot(tally, pool, 0, {}, true);
     shoot(tally, pool, 1, {9, 10}, true);
+    // The opponent's ball, or one that was not called: the turn passes.
+    shoot(tally, pool, 0, {11}, true);
+    shoot(tally, pool, 1, {}, true);
     pool.call.kind = PoolCall::Kind::safety;
     shoot(tally, pool, 0, {}, true);
     shoot(tally, pool, 1, {}, true);
@@ -93,7 +96,7 @@ TEST_CASE("shots of the person count, and those of carom do not") {
     tally.look(pool, 2);
     CHECK(tally.has_ended());
     const PoolRecord record = tally.take();
-    CHECK(record.shots == 5);
+    CHECK(record.shots == 6);
     CHECK(record.pots == 3);
     CHECK(record.best_run == 3);
     CHECK(record.safeties == 1);
@@ -101,10 +104,35 @@ TEST_CASE("shots of the person count, and those of carom do not") {
     CHECK(record.seconds == 6.0);
     CHECK(record.frames[1] == PoolRecord::Results{0, 1});
     CHECK(record.matches[1] == PoolRecord::Results{});
-    CHECK(record.attempts == 4);
+    CHECK(record.attempts == 5);
     CHECK(record.made == 2);
-    CHECK(record.turns == 3);
+    CHECK(record.turns == 4);
     CHECK(tally.take() == PoolRecord{});
+}
+
+// "Press r again to lose this frame and restart", and nothing was lost.
+TEST_CASE("a frame or a match that is given up counts as lost") {
+    PoolPlay pool = at_the_table();
+    for (const std::uint32_t race : {0u, 3u}) {
+        CAPTURE(race);
+        ShotTally tally;
+        pool.race = race;
+        pool.shooter = 1;
+        tally.look(pool, 2);
+        tally.give_up(pool, 2);
+        CHECK(tally.has_ended());
+        CHECK(tally.since().frames[1] == PoolRecord::Results{0, 1});
+        CHECK(tally.since().matches[1] == PoolRecord::Results{0, race > 0 ? 1u : 0u});
+        tally.take();
+        tally.give_up(pool, 0);
+        CHECK(tally.since() == PoolRecord{});
+        // Between two frames only the match is lost.
+        pool.rules.phase = PoolPhase::over;
+        tally.give_up(pool, 2);
+        CHECK(tally.since().frames[1] == PoolRecord::Results{});
+        CHECK(tally.since().matches[1] == PoolRecord::Results{0, race > 0 ? 1u : 0u});
+        pool.rules.phase = PoolPhase::playing;
+    }
 }
 
 TEST_CASE("a match, and a frame that is won from the break in one turn") {
