@@ -61,7 +61,9 @@ bool PoolController::takes_choice(PlayContext& play, const InputEvent& event) {
 }
 
 void PoolController::after_ticks(PlayContext& play, double) {
-    if (play.clock.is_hurrying() && !are_rolling(play)) play.clock.normal();
+    // In the pause in which the balls of a drill lie to be looked at, nobody is in a hurry.
+    if (play.clock.is_hurrying() && (!are_rolling(play) || is_at_rest(play.session.world())))
+        play.clock.normal();
     const auto outcome = players_.tell_outcome(play.session);
     // While nothing is aimed, the status line says it.
     if (!outcome || *outcome == line(play)) return;

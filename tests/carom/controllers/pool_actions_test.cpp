@@ -271,3 +271,26 @@ TEST_CASE("on a table without rules a ball is put over the others, and any ball 
     CHECK(person.world().balls().velocity[last].x < 0.0);
     CHECK(place_of(0) == cue);
 }
+
+// j ran through the pause as well, and the balls were back before anybody saw where they had
+// stopped.
+TEST_CASE("j skips to the rest of a drill's balls, and not the pause in which they lie") {
+    test::PersonAtWindow person(Person::session_of("drill-stop"), 120, 36);
+    const auto shots = [&]() -> const ShotsState& {
+        return std::get<ShotsState>(person.player.session().game());
+    };
+    REQUIRE(person.player.pool_players()->set_match(person.player.session(), false));
+    person.key(key::enter);
+    person.pass(0.1);
+    REQUIRE(shots().is_shooting);
+    person.key(U'j');
+    const auto lies = [&] { return shots().is_shooting && shots().rested > 0; };
+    double shown = 0.0;
+    for (int frame = 0; frame < 600 && shots().is_shooting; ++frame) {
+        person.player.advance(1.0 / 60.0, test::always);
+        if (lies()) shown += 1.0 / 60.0;
+    }
+    CHECK_FALSE(shots().is_shooting);
+    CHECK(shown > 0.3);
+    CHECK(shown < 0.8);
+}
