@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "carom/pool/pool_status.h"
-#include "game/referees/referee.h"
+#include "game/ai/pool_shots.h"
 #include "geometry/elementary.h"
 
 namespace carom {
@@ -20,7 +20,7 @@ constexpr double least_speed = 0.1;
 constexpr double finest_turn = 0.05;  // degrees
 constexpr double break_speed = 8.0;
 constexpr double usual_speed = 2.0;
-constexpr double opening_speed = 2.5;  // as aim_at_corner() needs it
+constexpr double opening_pace = 1.57;  // as aim_at_corner() needs it; see speed_of_opening()
 
 Vec2 place_of(const World& world, BallId ball) {
     return world.balls().position[*index_of(world, ball)];
@@ -30,6 +30,14 @@ Vec2 place_of(const World& world, BallId ball) {
 double pull_for(double speed, double radius) {
     const double growth = pull_growth / radius;
     return (std::sqrt(pull_gain * pull_gain + 4.0 * growth * speed) - pull_gain) / (2.0 * growth);
+}
+
+// The cloth takes energy by the length of the way, so the speed that brings the cue ball back grows
+// with the root of the table's length. In tenths of a m/s: 2.5 on a 9-ft table, 3.0 at snooker.
+double speed_of_opening(const Scene& scene) {
+    const auto cloth = cloth_box(scene);
+    const Vec2 table = size(cloth ? *cloth : scene.view);
+    return std::round(10.0 * opening_pace * std::sqrt(std::max(table.x, table.y))) / 10.0;
 }
 
 double bearing_of(Vec2 way) {
@@ -76,11 +84,9 @@ const Cue& cue_in_turn(const Session& session) {
 }
 
 void PoolAim::begin_turn(const Session& session) {
-    const PoolPlay* game = pool_of(session);
-    const bool is_break = game && game->rules.phase == PoolPhase::breaking;
-    const double speed = !is_break                            ? usual_speed
-                         : game->rules.referee->breaks_hard() ? break_speed
-                                                              : opening_speed;
+    const double speed = is_safe_opening(session) ? speed_of_opening(session.scene())
+                         : is_break(session)      ? break_speed
+                                                  : usual_speed;
     setup_ = {.bearing = setup_.bearing,
               .speed = std::min(speed, cue_in_turn(session).most_power),
               .aids = setup_.aids};

@@ -18,8 +18,8 @@
 namespace carom {
 namespace {
 
-// The opening of straight pool: this far beside the corner ball of the rack, in radii, the cue
-// ball comes back to the head cushion.
+// The opening of straight pool and snooker: this far beside the corner ball of the rack, in radii,
+// the cue ball comes back to the head cushion.
 constexpr double opening_offset = 1.6;
 
 Vec2 place_at(const World& world, BallId ball) {
@@ -62,10 +62,7 @@ std::vector<BallId> PoolAim::targets(const Session& session) const {
 }
 
 void PoolAim::aim_first(const Session& session) {
-    const PoolPlay* game = pool_of(session);
-    const bool is_opening =
-        game && game->rules.phase == PoolPhase::breaking && !game->rules.referee->breaks_hard();
-    if (is_opening)
+    if (is_safe_opening(session))
         aim_at_corner(session);
     else
         aim_at_nearest(session);

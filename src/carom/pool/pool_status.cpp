@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "game/referees/referee.h"
 #include "game/rules/goal.h"
 
 namespace carom {
@@ -17,6 +18,11 @@ const ShotsState* shots_of(const Session& session) {
 bool is_break(const Session& session) {
     const PoolPlay* const game = pool_of(session);
     return game && game->rules.phase == PoolPhase::breaking;
+}
+
+bool is_safe_opening(const Session& session) {
+    const PoolPlay* const game = pool_of(session);
+    return game && (is_break(session) || !game->shooter) && !game->rules.referee->breaks_hard();
 }
 
 bool has_turns(const Session& session) {

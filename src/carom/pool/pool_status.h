@@ -17,6 +17,9 @@ const PoolPlay* pool_of(const Session& session);
 const ShotsState* shots_of(const Session& session);
 /// Whether the next shot is the break of a game of pool.
 bool is_break(const Session& session);
+/// Whether the next shot opens a frame that begins with a safety: the break of straight pool and
+/// one-pocket, and the break-off of snooker, which the rules judge as any other stroke.
+bool is_safe_opening(const Session& session);
 /// Whether rules decide who shoots: a game of pool or of shots.
 bool has_turns(const Session& session);
 
