@@ -173,7 +173,7 @@ void next_call(PoolController& table, PlayContext& play) {
 }
 
 void next_aids(PoolController& table, PlayContext& play) {
-    say(play, table.aim().next_aids());
+    say(play, table.aim().next_aids(play.session));
 }
 
 void place_cue_ball(PoolController& table, PlayContext& play) {

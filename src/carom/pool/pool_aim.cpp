@@ -193,8 +193,20 @@ void PoolAim::take(const Session& session, const CandidateShot& candidate) {
                                                       : Intent::automatic;
 }
 
-std::string PoolAim::next_aids() {
-    if (is_match_) return "For real, only the ghost ball is shown.";
+// The picture shows a ball in two or three cells, so that a ghost ball alone does not tell the way
+// of the object ball. Drills teach to see it.
+bool PoolAim::shows_object_line(const Session& session) const {
+    if (!is_match_) return setup_.aids == Aids::ghost;
+    return setup_.aids != Aids::none && pool_of(session);
+}
+
+std::string PoolAim::next_aids(const Session& session) {
+    if (is_match_) {
+        if (!pool_of(session)) return "For real, only the ghost ball is shown.";
+        setup_.aids = setup_.aids == Aids::none ? Aids::ghost : Aids::none;
+        return setup_.aids == Aids::none ? "aid: the ghost ball alone"
+                                         : "aid: ghost ball and line of the ball";
+    }
     constexpr std::string_view texts[] = {"aid: off", "aid: ghost ball and lines",
                                           "aid: the whole shot",
                                           "aid: dots are 20 imperfect shots"};

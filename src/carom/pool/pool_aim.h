@@ -38,7 +38,8 @@ class PoolAim {
     /// Whether the cue ball is in hand, or there is no game, and it may be placed.
     bool may_place(const Session& session) const;
 
-    /// In a match only the ghost ball is drawn, and nothing that a forecast knows is shown.
+    /// In a match the ghost ball is drawn and the line of the ball that it meets, in a game of
+    /// shots the ghost ball alone. Nothing that a forecast knows is shown.
     void set_match(bool is_match);
 
     void turn(double degrees);                  ///< counter-clockwise
@@ -62,7 +63,7 @@ class PoolAim {
     bool call_pocket(const Session& session, Vec2 place);
     /// Declares a safety or a push-out, or withdraws it. Returns a description of the declaration.
     std::string next_call(const Session& session);
-    std::string next_aids();
+    std::string next_aids(const Session& session);
     Aids aids() const { return setup_.aids; }
 
     const ShotSetup& setup() const { return setup_; }
@@ -98,6 +99,7 @@ class PoolAim {
     void aim_at_corner(const Session& session);
     void aim_at_nearest(const Session& session);
     Aids shown_aids() const;
+    bool shows_object_line(const Session& session) const;
     std::string next_target(const Session& session, bool backwards);
     std::optional<int> marked_pocket(const Session& session) const;
 

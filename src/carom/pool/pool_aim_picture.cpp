@@ -36,6 +36,14 @@ std::string cut_text(const AimLine& line, const Look& look) {
                        is_left ? "left" : "right");
 }
 
+// The name of a ball that it is a foul to hit first; none: it may be hit.
+std::optional<std::string> wrong_ball(const Session& session, BallId ball) {
+    const PoolPlay* const game = pool_of(session);
+    const auto number = game ? number_of(*game, ball) : std::nullopt;
+    if (!number || may_hit_first(game->rules, *number)) return std::nullopt;
+    return game->rules.referee->ball_name(*number);
+}
+
 // The end of the straight path of a ball: at the first edge, or where it falls into a pocket.
 Vec2 end_of_way(const World& world, const Disc& ball, Vec2 way, double most) {
     double reach = most;
@@ -140,8 +148,9 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
             const double reach = 14.0 * radius;
             const Vec2 object = world.balls().position[*index_of(world, *line->object)];
             annotations.ghost = Disc{line->to, radius};
-            if (!is_match_ && setup_.aids == Aids::ghost) {
+            if (shows_object_line(session))
                 annotations.object = on_table(object, line->object_way, reach * line->cut_cosine);
+            if (!is_match_ && setup_.aids == Aids::ghost) {
                 const double rest = 1.0 - line->cut_cosine * line->cut_cosine;
                 annotations.tangent =
                     on_table(line->to, line->tangent, reach * std::sqrt(std::max(0.0, rest)));
@@ -167,7 +176,9 @@ std::string PoolAim::line(const Session& session, const Look& look) const {
     if (!called.empty() && tells) text += "  calls: " + called;
     text += "  " + tip_text(setup_.side, setup_.follow);
     const auto line = aim_line(session.world(), strike.ball, strike.velocity);
-    if (line && line->object && shown_aids() != Aids::none) text += "  " + cut_text(*line, look);
+    if (!line || !line->object || shown_aids() == Aids::none) return text;
+    text += "  " + cut_text(*line, look);
+    if (const auto wrong = wrong_ball(session, *line->object)) text += " on " + *wrong;
     return text;
 }
 

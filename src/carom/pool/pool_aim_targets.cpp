@@ -46,6 +46,22 @@ bool is_cue_ball(const Scene& scene, BallId ball) {
     });
 }
 
+std::string name_of(const Session& session, BallId ball) {
+    const PoolPlay* const game = pool_of(session);
+    const auto number = game ? number_of(*game, ball) : std::nullopt;
+    return number ? game->rules.referee->ball_name(*number) : "the ball";
+}
+
+// Which ball a cue ball meets that is aimed full at one behind it: ", behind the 3". Empty: none,
+// or one of the same name.
+std::string in_the_way(const Session& session, BallId cue, BallId ball) {
+    const World& world = session.world();
+    const auto line = aim_line(world, cue, place_at(world, ball) - place_at(world, cue));
+    if (!line || !line->object) return ", which lies hidden";
+    const std::string met = name_of(session, *line->object);
+    return met == name_of(session, ball) ? "" : ", behind " + met;
+}
+
 }  // namespace
 
 std::vector<BallId> PoolAim::targets(const Session& session) const {
@@ -116,11 +132,7 @@ std::string PoolAim::next_target(const Session& session, bool backwards) {
     const BallId ball = balls[pot_ % balls.size()];
     setup_.bearing = bearing_to(place_at(session.world(), ball) - place_at(session.world(), *cue));
     has_aimed_ = true;
-    const PoolPlay* game = pool_of(session);
-    const auto number = game ? number_of(*game, ball) : std::nullopt;
-    return pot_text_ = fmt::format("Full at {}{}",
-                                   number ? game->rules.referee->ball_name(*number) : "the ball",
-                                   sight_of(ball) == Sight::hidden ? ", which lies hidden" : "");
+    return pot_text_ = "Full at " + name_of(session, ball) + in_the_way(session, *cue, ball);
 }
 
 std::string PoolAim::next_pot(const Session& session, bool backwards) {

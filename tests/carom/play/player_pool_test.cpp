@@ -563,7 +563,7 @@ TEST_CASE("in a match nothing of the outcome is shown, and there is no help") {
     if (person.play().rules.player != 0) return;
     CHECK(dots() < practice);
     person.key(U'A');
-    CHECK(person.sees("only the ghost ball"));
+    CHECK(person.sees("the ghost ball alone"));
     person.key(U'C');
     CHECK(person.sees("no coach when it is for real"));
     person.key(U'}');

@@ -1,6 +1,7 @@
 #include "carom/pool/pool_aim.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ TEST_CASE("in a match the balls in sight come before those that lie hidden, whic
     for (int i = 0; i < 15; ++i) {
         const std::string text = aim.next_pot(session, false);
         CAPTURE(text);
-        const bool is_hidden = text.ends_with("which lies hidden");
+        const bool is_hidden = text.find(", behind ") != std::string::npos;
         CHECK((is_hidden || !was_hidden));
         const auto met = met_by(aim, session);
         REQUIRE(met);
@@ -71,6 +72,64 @@ TEST_CASE("in a match the balls in sight come before those that lie hidden, whic
     }
     CHECK(seen >= 1);
     CHECK(seen < 15);
+}
+
+// "Full at the 7" was said with the ghost ball on the 1.
+TEST_CASE("a key that aims at a ball behind another one names the one that it meets") {
+    const Session session = session_at(test::shipped_level("eight-ball"));
+    PoolAim aim(session);
+    aim.set_match(true);
+    int behind = 0;
+    for (int i = 0; i < 15; ++i) {
+        const std::string text = aim.next_pot(session, false);
+        CAPTURE(text);
+        const auto met = met_by(aim, session);
+        REQUIRE(met);
+        CHECK(text.ends_with(fmt::format("the {}", *met)));
+        behind += text.find(", behind ") != std::string::npos ? 1 : 0;
+    }
+    CHECK(behind >= 10);
+}
+
+TEST_CASE(
+    "in a match the line of the object ball is drawn, and A removes it; in a drill it is not") {
+    const Session match = session_at(test::shipped_level("snooker"));
+    PoolAim aim(match);
+    aim.set_match(true);
+    const auto shown = [&](const Session& session) {
+        aim.look(session);
+        return aim.annotations(session, true);
+    };
+    CHECK(shown(match).ghost);
+    CHECK(shown(match).object);
+    CHECK_FALSE(shown(match).tangent);
+    CHECK(shown(match).tracks.empty());
+    aim.next_aids(match);
+    CHECK(shown(match).ghost);
+    CHECK_FALSE(shown(match).object);
+    aim.next_aids(match);
+    CHECK(shown(match).object);
+    const Session drill = session_at(test::shipped_level("drill-half-ball"));
+    PoolAim drilled(drill);
+    drilled.set_match(true);
+    drilled.look(drill);
+    CHECK(drilled.annotations(drill, true).ghost);
+    CHECK_FALSE(drilled.annotations(drill, true).object);
+    CHECK(drilled.next_aids(drill) == "For real, only the ghost ball is shown.");
+}
+
+// "cut 36.0 left" was the cut on the 3, before the 2 that was on.
+TEST_CASE("the line of the aim names a ball that must not be hit first") {
+    const Session session = session_at(test::shipped_level("snooker"));
+    PoolAim aim(session);
+    aim.set_match(true);
+    aim.look(session);
+    CHECK(aim.line(session, {}).find(" on ") == std::string::npos);
+    const World& world = session.world();
+    const BallId pink = *std::get<PoolPlay>(session.game()).balls[20];
+    aim.aim_at(session, world.balls().position[*index_of(world, pink)]);
+    aim.look(session);
+    CHECK(aim.line(session, {}).ends_with("full on the pink"));
 }
 
 TEST_CASE("aiming lines end at the cushions and in the pockets, not beyond the table") {
