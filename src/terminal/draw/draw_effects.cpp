@@ -60,6 +60,7 @@ void paint_flashes(Raster& raster, const View& view) {
         // White fading on black is grey, and looks like a stone: what fades glows.
         const Ink ink = age < white_share ? white : ember;
         const auto tone = static_cast<std::uint8_t>(230.0 * (1.0 - age) * (1.0 - age));
+        if (tone == 0) continue;  // a brush of tone 0 clears what it paints
         raster.disc(to_raster(view.camera, flash.place), largest * (0.35 + 0.5 * age), 0.0,
                     {ink, tone, '\0'});
     }

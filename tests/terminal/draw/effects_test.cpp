@@ -190,6 +190,25 @@ TEST_CASE("effects: a hard impact flashes for a moment, a soft one does not") {
     CHECK(are_equal(drawn(scene, ascii, {}, {&contact, 1}), drawn(scene, ascii)));
 }
 
+// The last frame was a black spot beside the rail, which looked like a hole.
+TEST_CASE("effects: a flash that has gone out clears nothing") {
+    Scene scene = table_with_ball(2.0);
+    scene.world.edit_definition().rate = 1000;
+    scene.world.edit_tick() = 5;
+    Contact contact;
+    contact.point = {20, 10};  // on the ball
+    contact.approach = 10.0;
+    const ViewOptions options = with(half_block_renderer());
+    ViewMemory memory;
+    drawn(scene, options, memory, {}, {&contact, 1});
+    int frames = 0;
+    for (; !memory.flashes.empty(); ++scene.world.edit_tick(), ++frames) {
+        const Cell& cell = drawn(scene, options, memory).at(20, 5);
+        CHECK((cell.foreground != default_color || cell.background != default_color));
+    }
+    CHECK(frames > 100);
+}
+
 TEST_CASE("effects: colours by speed or mass have a scale, where there are colours") {
     const Scene scene = table_with_ball(2.0);
     ViewOptions options = with(half_block_renderer());
