@@ -157,6 +157,7 @@ void paint_zones(Raster& raster, const View& view) {
         const RasterPoint end = to_raster(view.camera, zone.shape.end);
         const double radius = zone.shape.radius * view.camera.columns_per_length;
         const auto color = color_in(view.scene.dress.zones, i);
+        if (color && view.memory.ground.has_sinks()) continue;
         const Ink ink = color ? dress_ink(*color, view.options.look) : plain_ink;
         raster.capsule(start, end, radius, {ink, 120, '\0'});
         // One with a colour of its own is filled, as a pond is: clearing it would clear the board.

@@ -73,10 +73,9 @@ Box bounds_of(const PaintedArea& area) {
     return box;
 }
 
-// The last of the earlier areas that this one may lie on; none: it lies on the board.
-std::optional<std::size_t> area_below(const std::vector<PaintedArea>& areas, std::size_t area) {
-    const Box box = bounds_of(areas[area]);
-    for (std::size_t i = area; i-- > 0;)
+// The last of the areas that something with these bounds may lie on; none: it lies on the board.
+std::optional<std::size_t> area_below(std::span<const PaintedArea> areas, const Box& box) {
+    for (std::size_t i = areas.size(); i-- > 0;)
         if (overlaps(bounds_of(areas[i]), box)) return i;
     return std::nullopt;
 }
@@ -132,16 +131,28 @@ void GroundLayer::choose_inks(const Scene& scene) {
         neighbours = {{ground, nose}, {nose, cushion}, {cushion, rail}, {ground, chalk}};
     else
         neighbours = {{ground, rail}, {ground, plastic}};
-    for (std::size_t i = 0; i < scene.dress.areas.size(); ++i) {
-        const std::optional<std::size_t> below = area_below(scene.dress.areas, i);
-        neighbours.emplace_back(below ? areas + *below : ground, wanted.size());
-        wanted.push_back(rgb(scene.dress.areas[i].color));
-    }
+    const std::span<const PaintedArea> painted = scene.dress.areas;
+    const auto add = [&](std::span<const PaintedArea> earlier, const Box& box, Rgb24 color,
+                         double share) {
+        const auto below = area_below(earlier, box);
+        const std::size_t under = below ? areas + *below : ground;
+        neighbours.emplace_back(under, wanted.size());
+        wanted.push_back(
+            rgb_of(mixed(direct_color(rgb(color)), direct_color(wanted[under]), share)));
+    };
+    for (std::size_t i = 0; i < painted.size(); ++i)
+        add(painted.first(i), bounds_of(painted[i]), painted[i].color, 1.0);
+    const std::vector<std::size_t> sinks = colored_sinks(scene);
+    for (const std::size_t i : sinks)
+        add(painted, bounds(scene.world.zones()[i].shape), *color_in(scene.dress.zones, i),
+            sink_share);
     const std::vector<Color> chosen = surface_colors(wanted, neighbours, key_->look);
+    const auto first_sink = chosen.end() - static_cast<std::ptrdiff_t>(sinks.size());
     inks_ = {{default_color, chosen[rail], chosen[cushion], chosen[plastic], chosen[ground]},
              chosen[nose],
              chosen[chalk],
-             {chosen.begin() + areas, chosen.end()}};
+             {chosen.begin() + areas, first_sink},
+             {first_sink, chosen.end()}};
 }
 
 // With few colours, a ball could have that of the ground, so cloth is no colour but a pattern of
@@ -173,38 +184,8 @@ void GroundLayer::fill(const Scene& scene) {
     const std::vector<PaintedArea>& areas = scene.dress.areas;
     for (std::size_t i = 0; i < areas.size(); ++i)
         if (areas[i].layer == 0) fill_area(areas[i], inks_.areas[i]);
+    fill_sinks(scene);
     fill_holes(scene);
-}
-
-void GroundLayer::fill_holes(const Scene& scene) {
-    const Color color = dress_ink(hole_color, key_->look).color;
-    for (const std::uint32_t pocket : scene.pool.pockets) {
-        const Capsule& shape = scene.world.zones()[pocket].shape;
-        const Disc hole{shape.start, hole_share * shape.radius};
-        if (key_->renderer->has_pixels() || !fill_small_hole(hole, color))
-            fill_area({{}, hole, hole_color, 0}, color);
-    }
-}
-
-// Samples in the middles of cells could all lie beside a small hole, or make a ragged one.
-bool GroundLayer::fill_small_hole(const Disc& hole, Color color) {
-    const Camera& camera = key_->camera;
-    constexpr double most_rows = 2.5;
-    const double across = 2.0 * hole.radius * camera.columns_per_length;
-    const double down = across / camera.aspect;
-    if (down >= most_rows) return false;
-    const CellPoint at = to_cells(camera, hole.center);
-    const auto for_each_cell = [](double middle, double size, int begin, int count, auto call) {
-        const double whole = std::max(1.0, std::round(size));
-        const double first = std::round(middle - 0.5 * whole) - begin;
-        for (double i = std::max(0.0, first); i < std::min<double>(first + whole, count); ++i)
-            call(static_cast<int>(i));
-    };
-    for_each_cell(at.row, down, camera.area.row, camera.area.rows, [&](int row) {
-        for_each_cell(at.column, across, camera.area.column, camera.area.columns,
-                      [&](int column) { sample_of_cell(column, row) = color; });
-    });
-    return true;
 }
 
 Vec2 GroundLayer::place_of(int across, int down) const {
@@ -220,8 +201,7 @@ void GroundLayer::fill_board() {
                 inks_.board[static_cast<std::size_t>(board_->at(place_of(across, down)))];
 }
 
-void GroundLayer::fill_area(const PaintedArea& area, Color color) {
-    const Box box = bounds_of(area);
+GroundLayer::Samples GroundLayer::samples_in(const Box& box) const {
     const CellPoint low = to_cells(key_->camera, {box.low.x, box.high.y});
     const CellPoint high = to_cells(key_->camera, {box.high.x, box.low.y});
     const CellArea& seen = key_->camera.area;
@@ -229,12 +209,16 @@ void GroundLayer::fill_area(const PaintedArea& area, Color color) {
         return static_cast<int>(std::clamp(cells * per_cell, 0.0, static_cast<double>(most)));
     };
     const Renderer& renderer = *key_->renderer;
-    const int left = within(low.column - seen.column, renderer.across, across_);
-    const int right = within(high.column - seen.column + 1.0, renderer.across, across_);
-    const int top = within(low.row - seen.row, renderer.down, down_);
-    const int bottom = within(high.row - seen.row + 1.0, renderer.down, down_);
-    for (int down = top; down < bottom; ++down)
-        for (int across = left; across < right; ++across) {
+    return {within(low.column - seen.column, renderer.across, across_),
+            within(high.column - seen.column + 1.0, renderer.across, across_),
+            within(low.row - seen.row, renderer.down, down_),
+            within(high.row - seen.row + 1.0, renderer.down, down_)};
+}
+
+void GroundLayer::fill_area(const PaintedArea& area, Color color) {
+    const Samples samples = samples_in(bounds_of(area));
+    for (int down = samples.top; down < samples.bottom; ++down)
+        for (int across = samples.left; across < samples.right; ++across) {
             const Vec2 at = place_of(across, down);
             const bool is_inside = area.corners.empty()
                                        ? length(at - area.disc.center) <= area.disc.radius

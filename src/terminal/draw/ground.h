@@ -20,6 +20,8 @@ Ink dress_ink(Rgb24 color, const Look& look);
 /// The inside of a pocket.
 inline constexpr Rgb24 hole_color = 0x08090b;
 inline constexpr double hole_share = 0.84;  ///< of the pocket's radius
+/// Of the colour of a sink in what it shows; the rest is that of what lies below.
+inline constexpr double sink_share = 0.47;
 
 /// The colours of what is large in the picture, chosen together (surface_colors.h).
 struct GroundInks {
@@ -27,7 +29,11 @@ struct GroundInks {
     Color nose = default_color;               ///< of a pool table's cushions
     Color chalk = default_color;              ///< a line that is drawn on the board
     std::vector<Color> areas;                 ///< those that the level paints, in its order
+    std::vector<Color> sinks;                 ///< of colored_sinks(), over what lies below
 };
+
+/// The zones that are sinks to which the level gives a colour.
+std::vector<std::size_t> colored_sinks(const Scene& scene);
 
 class GroundLayer {
   public:
@@ -40,6 +46,8 @@ class GroundLayer {
 
     /// On a terminal with shades. Pre: updated.
     const GroundInks& inks() const { return inks_; }
+    /// Whether the ground shows the sinks that have a colour. Pre: updated.
+    bool has_sinks() const { return !colors_.empty(); }
     /// The raster to paint shapes on: with pixels that show the ground, else empty. Pre: updated.
     Raster raster() const;
     /// Whether the cell shows the ground alone: no shape and no text.
@@ -60,14 +68,24 @@ class GroundLayer {
 
         friend bool operator==(const Key&, const Key&) = default;
     };
+    /// Samples, the last of each row and column excluded.
+    struct Samples {
+        int left = 0;
+        int right = 0;
+        int top = 0;
+        int bottom = 0;
+    };
     void choose_inks(const Scene& scene);
     void fill(const Scene& scene);
     void weave(const Scene& scene);
     void paint();
     void fill_board();
     void fill_area(const PaintedArea& area, Color color);
+    void fill_sinks(const Scene& scene);
+    void fill_sink(const Capsule& shape, Color color);
     void fill_holes(const Scene& scene);
     bool fill_small_hole(const Disc& hole, Color color);
+    Samples samples_in(const Box& box) const;
     Vec2 place_of(int across, int down) const;
     /// In the middle of a cell of the camera's area.
     Color color_of_cell(int column, int row) const {

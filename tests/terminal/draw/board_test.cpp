@@ -254,3 +254,44 @@ TEST_CASE("draw: a ball named red is red, paint lies under it, and a label on fr
         CHECK(canvas.text().find("GROUND") != std::string::npos);
     }
 }
+
+namespace {
+
+// A lane of wood with a gutter along its middle.
+Scene lane_with_gutter() {
+    return scene_of(
+        pool_table("box 0,0 200,100\ntheme board=#b98a52 rail=#5b3a1e\n"
+                   "zone gutter 20,20 180,20 r=12 sink color=#2a1b12\n"));
+}
+
+}  // namespace
+
+TEST_CASE("board: a sink with a colour is one of the ground, as brown in 256 colours as the wood") {
+    const Scene scene = lane_with_gutter();
+    for (const Renderer* const renderer :
+         {&ascii_renderer(), &half_block_renderer(), &octant_renderer(), &braille_renderer()}) {
+        for (const int colors : {256, direct_colors}) {
+            CAPTURE(renderer->name);
+            CAPTURE(colors);
+            Canvas canvas(100, 25);
+            const Camera camera = fit_camera(scene.view, {0, 0, 100, 25}, 2.0);
+            ViewOptions options;
+            options.look.colors = colors;
+            options.renderer = renderer;
+            ViewMemory memory;
+            draw_world(canvas, camera, scene, scene.world, {}, {}, options, memory);
+            const auto color_at = [&](Vec2 place) {
+                const CellPoint at = to_cells(camera, place);
+                const Cell& cell = canvas.at(static_cast<int>(at.column), static_cast<int>(at.row));
+                CHECK((cell.glyph == U' ' || cell.foreground == cell.background));
+                REQUIRE(cell.background >= 0);
+                return rgb_of(cell.background);
+            };
+            const Rgb gutter = color_at({150, 20});
+            const Rgb lane = color_at({150, 70});
+            CHECK(luminance(gutter) < 0.8 * luminance(lane));
+            CHECK(gutter.red > gutter.green);
+            CHECK(gutter.green > gutter.blue + 20);
+        }
+    }
+}
