@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -15,6 +16,8 @@
 #include <vector>
 
 #include "level/load.h"
+#include "terminal/canvas/mosaic.h"
+#include "terminal/draw/ground.h"
 
 using namespace carom;
 
@@ -724,6 +727,52 @@ TEST_CASE("a cradle hangs from a bar by strings, which go with their balls") {
     CHECK(drawing.canvas.at(17, 4).glyph == U' ');
     CHECK(drawing.canvas.at(19, 4).glyph == U' ');
     CHECK(drawing.canvas.at(21, 4).glyph != U' ');
+}
+
+namespace {
+
+// The pixels of that colour in a cell of octants or sextants.
+int pixels_of(const Cell& cell, Color color, const Renderer& renderer) {
+    const int pixels = renderer.across * renderer.down;
+    for (unsigned pattern = 0; pattern < 1u << pixels; ++pattern) {
+        const char32_t glyph = pixels == 8 ? octant(pattern) : sextant(pattern);
+        if (glyph != cell.glyph) continue;
+        const int lit = std::popcount(pattern);
+        return (cell.foreground == color ? lit : 0) + (cell.background == color ? pixels - lit : 0);
+    }
+    return 0;
+}
+
+}  // namespace
+
+TEST_CASE("the string of a cradle takes no pixel of its ball or bar in a mosaic") {
+    for (const Renderer* const renderer : {&octant_renderer(), &sextant_renderer()}) {
+        for (int offset = 0; offset < 8; ++offset) {
+            CAPTURE(renderer->name);
+            CAPTURE(offset);
+            Scene scene = table({{0.0, 0.0}, {30.0, 20.0}});
+            const double down = 0.25 * offset;
+            const BallId ball = put_ball(scene, {12.5, 7.0 - down}, 1.2);
+            ViewOptions options = in(*renderer);
+            options.look.colors = direct_colors;
+            const auto colored = [&](Color color) {
+                Drawing drawing(30, 10);
+                drawing.draw(scene, options);
+                int count = 0;
+                for (int row = 0; row < 10; ++row)
+                    for (int column = 0; column < 30; ++column)
+                        count += pixels_of(drawing.canvas.at(column, row), color, *renderer);
+                return count;
+            };
+            const Color of_ball = ink_of_class(0, options.look).color;
+            const Color of_bar = dress_ink(0x7a4a24, options.look).color;
+            const int alone = colored(of_ball);
+            REQUIRE(alone > 4);
+            scene.dress.strings = {{number(ball), {12.5, 15.0 - down}, true}};
+            CHECK(colored(of_ball) >= alone);
+            CHECK(colored(of_bar) > 0);
+        }
+    }
 }
 
 TEST_CASE("a large ball is shaded as a sphere among many small ones") {
