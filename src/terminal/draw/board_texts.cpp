@@ -84,13 +84,20 @@ bool BoardTexts::covers_light(Span text) const {
     });
 }
 
+bool BoardTexts::is_in_view(Span text) const {
+    const CellArea& area = view_.camera.area;
+    return text.row >= area.row && text.row < area.row + area.rows && text.first >= area.column &&
+           text.end <= area.column + area.columns;
+}
+
 // The best place with so many columns between texts.
 std::optional<BoardTexts::Span> BoardTexts::place_for(Span text, int columns) const {
-    if (is_apart(text, columns) && under(text) == Under::outside) return text;
+    const auto is_free = [&](Span there) { return is_in_view(there) && is_apart(there, columns); };
+    if (is_free(text) && under(text) == Under::outside) return text;
     std::optional<Span> place;
     for (const int aside : ways_aside) {
         const Span there{text.row, text.first + aside, text.end + aside};
-        if (!is_apart(there, columns) || under(there) != Under::ground) continue;
+        if (!is_free(there) || under(there) != Under::ground) continue;
         // A blank on both sides sets a text that has moved apart from shapes.
         const int margin = aside == 0 ? 0 : 1;
         if (under({there.row, there.first - margin, there.end + margin}) == Under::ground)
@@ -106,14 +113,9 @@ void BoardTexts::write(int column, int row, std::string_view text, const Ink& in
         if (!place) place = place_for({row, column, column + columns_of(text)}, columns);
     if (!place) return;
     written_.push_back(*place);
-    const CellArea& area = view_.camera.area;
     for (int at = place->first; !text.empty(); ++at) {
         const std::size_t bytes = decode_utf8(text).bytes;
-        const bool is_seen = at >= area.column && at < area.column + area.columns &&
-                             row >= area.row && row < area.row + area.rows;
-        const bool is_free =
-            is_seen && (view_.memory.ground.is_bare(canvas_, at, row) || !is_under_ball(at, row));
-        if (is_free)
+        if (view_.memory.ground.is_bare(canvas_, at, row) || !is_under_ball(at, row))
             canvas_.write(at, row, text.substr(0, bytes), ink.color, default_color, ink.attributes);
         text.remove_prefix(bytes);
     }

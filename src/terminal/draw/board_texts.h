@@ -14,8 +14,8 @@ namespace carom {
 /// Writes texts, and keeps each apart from those before it, so the caller writes the important ones
 /// first. Between two texts in a row are two columns, or one where two do not fit. A text moves up
 /// to three columns aside to where only the ground is, and stays outside of the board where all of
-/// it is there. It never covers a ball. Without such a place it is left out: half on a part it
-/// could not be read, and would hide the part.
+/// it is there. It never covers a ball. Without such a place it is left out: half on a part, or
+/// half out of view, it could not be read.
 class BoardTexts {
   public:
     /// Keeps references to both.
@@ -34,6 +34,7 @@ class BoardTexts {
 
   private:
     std::optional<Span> place_for(Span text, int columns) const;
+    bool is_in_view(Span text) const;
     bool is_apart(Span text, int columns) const;
     bool is_bare(int column, int row) const;
     /// What all of the cells show. Outside: of the board, where the level has one.

@@ -234,6 +234,26 @@ TEST_CASE("draw: a label that is half on a part, or half under a ball at rest, i
     CHECK_FALSE(shown("ball b at=20,10 r=1\nball c at=16,10 r=1\nball d at=24,10 r=1\n"));
 }
 
+TEST_CASE("draw: a label that reaches out of the view moves into it, or is left out") {
+    const Scene scene = scene_of(
+        "world 0,0 80,40\ntheme board=#203040\nball a at=5,5 r=1\n"
+        "label \"NEAR EDGE\" at=42,30 align=left\nlabel \"BEYOND\" at=37,10 align=left\n");
+    Canvas canvas(60, 20);
+    const CellArea area{10, 0, 40, 20};
+    const Camera camera = fit_camera({{10.0, 0.0}, {50.0, 40.0}}, area, 2.0);
+    ViewOptions options;
+    options.renderer = &ascii_renderer();
+    ViewMemory memory;
+    draw_world(canvas, camera, scene, scene.world, {}, {}, options, memory);
+    CHECK(canvas.text().find("NEAR EDGE") != std::string::npos);
+    CHECK(canvas.text().find("BEYOND") != std::string::npos);
+    canvas.fill({});
+    const Camera aside = fit_camera({{6.0, 0.0}, {46.0, 40.0}}, area, 2.0);
+    draw_world(canvas, aside, scene, scene.world, {}, {}, options, memory);
+    CHECK(canvas.text().find("NE") == std::string::npos);
+    CHECK(canvas.text().find("BEYOND") != std::string::npos);
+}
+
 TEST_CASE("draw: a ball named red is red, paint lies under it, and a label on free ground") {
     const Scene scene = scene_of(
         "world 0,0 40,20\npaint rect 0,0 40,20 color=#203040\nball red at=10,10 v=5,0 r=4\n"
