@@ -41,6 +41,8 @@ void add_pool_title(const Session& session, const PlayerNames& names,
     if (!has_turns(session)) return;
     info.title_comes_first = true;
     info.name = session.scene().title;
+    // "Snooker" of "Snooker on a 12-ft table".
+    info.short_name = info.name.substr(0, info.name.find(" on a "));
     if (!pool) {
         const ShotsState& shots = *shots_of(session);
         info.title = turn_text(session.scene(), shots);

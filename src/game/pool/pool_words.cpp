@@ -150,15 +150,15 @@ std::string turn_text(const Scene& scene, const PoolPlay& play, const PlayerName
     if (play.race > 0 || play.frames != std::array<std::uint32_t, 2>{})
         frames = fmt::format("{}:{}{} ", play.frames[0], play.frames[1],
                              play.race > 0 ? fmt::format(" (race to {}),", play.race) : "");
-    if (!points.empty()) frames += fmt::format("({}) ", points);
-    if (rules.winner) return frames + win_text(play, names);
+    const std::string score = points.empty() ? "" : fmt::format(" ({})", points);
+    if (rules.winner) return frames + win_text(play, names) + score;
     const std::string warning = is_warned(rules) && !play.is_shooting
                                     ? ", " + std::string(rules.referee->warning_text())
                                     : "";
     const std::string name = name_of(names, rules.player);
     if (rules.phase == PoolPhase::breaking && !play.is_shooting)
-        return frames + does(name, "breaks") + ": " + task_text(play) + warning;
-    return frames + name + target_text(scene, rules) + ": " + task_text(play) + warning;
+        return frames + does(name, "breaks") + score + ": " + task_text(play) + warning;
+    return frames + name + score + target_text(scene, rules) + ": " + task_text(play) + warning;
 }
 
 std::string clock_text(double seconds) {

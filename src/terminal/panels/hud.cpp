@@ -86,10 +86,12 @@ void draw_first(const Bar& bar, const HudInfo& info, std::vector<HudField> field
                             columns - 2 - (least_title > 0 ? least_title + hud_field_gap : 0));
     int room = columns - 2 - width_of(fields) - hud_field_gap;
     int column = 1;
-    const int name = columns_of(info.name) + hud_field_gap;
-    if (!info.name.empty() && name + columns_of(info.title) <= room) {
-        column = bar.write(column, info.name, ink_of(Role::text, bar.look)) + hud_field_gap;
-        room -= name;
+    for (const std::string* const name : {&info.name, &info.short_name}) {
+        const int width = columns_of(*name) + hud_field_gap;
+        if (name->empty() || width + columns_of(info.title) > room) continue;
+        column = bar.write(column, *name, ink_of(Role::text, bar.look)) + hud_field_gap;
+        room -= width;
+        break;
     }
     if (room >= 4 && !info.title.empty()) {
         const std::string title = shortened(info.title, room, bar.look);

@@ -33,7 +33,8 @@ struct HudCheck {
 
 struct HudInfo {
     std::string title;
-    std::string name;  ///< of the level, before the title where both fit; empty: not wanted
+    std::string name;        ///< of the level, before the title where both fit; empty: not wanted
+    std::string short_name;  ///< in place of `name` where only that fits; may be empty
     /// The title is the state of a game: other fields give way to it.
     bool title_comes_first = false;
     /// Pool or pinball: the numbers of the laboratory are left out.

@@ -199,6 +199,6 @@ TEST_CASE("one-pocket names the player's pocket as a shot names it") {
         return turn_text(scene, play, {"you", "carom"});
     };
     // The breaker has the pocket on the right, as seen from the head of the table.
-    CHECK(turn_of(play.rules.breaker) == "(0:0) you, 8 to go in the bottom right: to shoot");
-    CHECK(turn_of(1 - play.rules.breaker) == "(0:0) carom, 8 to go in the top right: to shoot");
+    CHECK(turn_of(play.rules.breaker) == "you (0:0), 8 to go in the bottom right: to shoot");
+    CHECK(turn_of(1 - play.rules.breaker) == "carom (0:0), 8 to go in the top right: to shoot");
 }

@@ -154,6 +154,18 @@ TEST_CASE("the name of a level comes before the state of its game, where both fi
     CHECK(drawn(info, 40, 24).find(" Clear the table.") != std::string::npos);
 }
 
+TEST_CASE("where the name of a level has no room, a short one stands there") {
+    HudInfo info = galton();
+    info.title_comes_first = true;
+    info.title = "player 1 (0:0), on a red, 147 left: ball in hand in the D";
+    info.is_game = true;
+    info.name = "Snooker on a 12-ft table";
+    info.short_name = "Snooker";
+    CHECK(drawn(info, 120, 24).find(" Snooker on a 12-ft table  player 1") != std::string::npos);
+    CHECK(drawn(info, 80, 24).find(" Snooker  player 1") != std::string::npos);
+    CHECK(drawn(info, 60, 24).find("Snooker") == std::string::npos);
+}
+
 TEST_CASE("the goal stands beside the state of a game, and before the level's name") {
     HudInfo info = galton();
     info.is_game = true;
