@@ -125,6 +125,12 @@ void paint_shape(Raster& raster, RasterPoint at, double radius, const TableLight
 
 }  // namespace
 
+void fill_dot(Raster& raster, RasterPoint middle, double radius, const Ink& ink,
+              std::uint8_t level) {
+    fill_pixels(raster, pixel_span(middle.x, radius, 1.0 / raster.renderer().across),
+                pixel_span(middle.y, radius, raster.aspect() / raster.renderer().down), ink, level);
+}
+
 void fill_polygon(Raster& raster, std::span<const RasterPoint> corners, const Ink& ink,
                   std::uint8_t level) {
     if (corners.empty()) return;

@@ -63,6 +63,10 @@ Ink edge_ink(const View& view, std::size_t edge);
 std::vector<Ink> ball_inks(const World& world, const ViewOptions& options,
                            const ViewMemory& memory);
 
+/// Renderers with pixels: a rectangle about as wide and high as a disc, of whole pixels, so that
+/// dots of one size are alike wherever they are.
+void fill_dot(Raster& raster, RasterPoint middle, double radius, const Ink& ink,
+              std::uint8_t level = 255);
 // Onto the raster, from back to front.
 /// The overlays that are on and lie under the bodies. The first row of the table is nearest to the
 /// bodies.

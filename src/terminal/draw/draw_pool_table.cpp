@@ -156,7 +156,7 @@ void paint_diamonds(Raster& raster, const View& view, const Board& board, const 
     const double radius = 0.06 * rail * view.camera.columns_per_length;
     const auto diamond = [&](double along, double across) {
         const Vec2 at = axes.middle + axes.along * along + axes.across * across;
-        raster.disc(to_raster(view.camera, at), radius, 0.0, {ivory, 255, '\0'});
+        fill_dot(raster, to_raster(view.camera, at), radius, ivory);
     };
     for (const int side : {-1, 1}) {
         // A side pocket is in the middle.

@@ -183,7 +183,7 @@ TEST_CASE("pool table: a ball about as large as a pixel takes two, so the cue ba
 }
 
 TEST_CASE("pool table: one without pockets has diamonds too, if it is as long as two squares") {
-    const auto diamonds = [](const std::string& box) {
+    const auto diamonds = [](const std::string& box, int columns = 160, int rows = 50) {
         LoadResult loaded = load_level(
             "carom 1 \"t\"\nuse cloth slide=0.2 roll=0.01 spin=10 g=10\nuse spin\n"
             "ball cue at=40,30 r=3\ncue ball=cue power=0..10\nbox 0,0 " +
@@ -191,19 +191,23 @@ TEST_CASE("pool table: one without pockets has diamonds too, if it is as long as
             "test.level");
         REQUIRE(loaded.scene);
         const PixelPicture picture =
-            pixels_of(*loaded.scene, look_with(direct_colors), {}, 160, 50);
+            pixels_of(*loaded.scene, look_with(direct_colors), {}, columns, rows);
+        const Color ivory = direct_color({0xe9, 0xdf, 0xc4});
         int count = 0;
-        for (int row = 0; row < 100; ++row)
-            for (int column = 0; column < 160; ++column) {
-                const Color color = picture.pixel(column, row);
-                const Rgb rgb = color == default_color ? Rgb{} : rgb_of(color);
-                // Ivory, which the white ball is not.
-                count += rgb.red > 160 && rgb.blue > 120 && rgb.blue < 225;
-            }
+        for (int row = 0; row < 2 * rows; ++row)
+            for (int column = 0; column < columns; ++column)
+                count += picture.pixel(column, row) == ivory;
         return count;
     };
     CHECK(diamonds("200,100") == 20);
     CHECK(diamonds("200,60") == 0);
+    // All of one size, whatever pixels they lie on.
+    for (const int columns : {200, 260, 330, 400, 490}) {
+        CAPTURE(columns);
+        const int pixels = diamonds("200,100", columns, columns / 3);
+        CHECK(pixels >= 20);
+        CHECK(pixels % 20 == 0);
+    }
 }
 
 TEST_CASE("pool table: the head string shows with any number of colours") {
