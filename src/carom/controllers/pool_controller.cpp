@@ -52,7 +52,7 @@ bool PoolController::takes_choice(PlayContext& play, const InputEvent& event) {
         pool->rules.phase == PoolPhase::choosing && !players_.is_opponents_turn(play.session);
     if (may_choose && event.key >= U'1' && event.key < U'1' + choices.size()) {
         const PoolChoice choice = choices[event.key - U'1'];
-        obey(play, command::Decide{choice}, std::string(choice_text(choice)));
+        obey(play, command::Decide{choice}, std::string(choice_text(pool->rules, choice)));
     } else if (!repeats_choice) {
         return false;
     }

@@ -77,8 +77,8 @@ void PoolController::add_status(const PlayContext& play, HudInfo& info) const {
     const PoolPlay* const pool = pool_of(play.session);
     if (pool && !players_.is_opponents_turn(play.session))
         for (const PoolChoice choice : pool->rules.choices)
-            info.choices.push_back(
-                {fmt::format("{}", info.choices.size() + 1), std::string(choice_text(choice))});
+            info.choices.push_back({fmt::format("{}", info.choices.size() + 1),
+                                    std::string(choice_text(pool->rules, choice))});
     // The last seconds for the shot, or for the choice.
     if (!left || *left > last_seconds || players_.is_opponents_turn(play.session)) return;
     info.message = fmt::format("{} left", clock_text(*left));

@@ -107,10 +107,10 @@ std::string_view foul_text(PoolFoul foul) {
     return "";
 }
 
-std::string_view choice_text(PoolChoice choice) {
+std::string_view choice_text(const PoolState& rules, PoolChoice choice) {
     switch (choice) {
         case PoolChoice::take_table:
-            return "shoot from here";
+            return rules.in_hand == CueInHand::no ? "shoot from here" : "take ball in hand";
         case PoolChoice::break_again:
             return "rack again and break";
         case PoolChoice::let_break:
@@ -222,7 +222,9 @@ std::string decision_text(const PoolPlay& play, const PlayerNames& names) {
     const std::string foul = foul_sentence(decision.foul, decision.penalty, decision.was_miss);
     switch (*decision.choice) {
         case PoolChoice::take_table:
-            return fmt::format("{}{} from here", foul, does(next, "shoots"));
+            return play.rules.in_hand == CueInHand::no
+                       ? fmt::format("{}{} from here", foul, does(next, "shoots"))
+                       : fmt::format("{}{}: ball in hand", foul, next);
         case PoolChoice::return_push:
             return fmt::format("{}{} again", foul, does(next, "shoots"));
         case PoolChoice::replace:
@@ -231,7 +233,8 @@ std::string decision_text(const PoolPlay& play, const PlayerNames& names) {
             return "the 8 is spotted. " + does(next, "continues");
         case PoolChoice::break_again:
         case PoolChoice::let_break:
-            return foul + does(next, "breaks") + " again";
+            return foul + does(next, "breaks") +
+                   (play.rules.player == play.shooter ? " again" : "");
     }
     return "";
 }

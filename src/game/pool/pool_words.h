@@ -16,7 +16,8 @@ using PlayerNames = std::array<std::string, 2>;
 std::string pocket_name(const Scene& scene, int pocket);
 
 std::string_view foul_text(PoolFoul foul);  ///< empty for none
-std::string_view choice_text(PoolChoice choice);
+/// What a choice does. `rules`: while it is due.
+std::string_view choice_text(const PoolState& rules, PoolChoice choice);
 
 /// "the 3 into the top left"; "the black"; "safety"; empty if nothing is called. Pre: the scene is
 /// a game of pool, or nothing is called.

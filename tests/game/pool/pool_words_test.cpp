@@ -127,6 +127,27 @@ TEST_CASE("after a choice the words tell the foul, and what was chosen") {
           "Player 1 shoots again.");
 }
 
+// "Shoot from here" was offered with the cue ball in hand, and who had not broken broke "again".
+TEST_CASE("after a scratch on the break the choice is of ball in hand, or a first break") {
+    const Scene scene = test::shipped_level("eight-ball");
+    const PoolShot scratch{.pocketed = {{cue_ball, 0}}};
+    const auto chosen = [&](PoolChoice choice) {
+        World world = scene.world;
+        PoolPlay play = *begin_pool(scene);
+        const PoolPlay fouled = after(play.rules, scratch);
+        play.rules = fouled.rules;
+        play.shot = fouled.shot;
+        play.shooter = 0;
+        play.last_foul = fouled.last_foul;
+        CHECK(choice_text(play.rules, PoolChoice::take_table) == "take ball in hand");
+        make_choice(scene, world, play, choice);
+        return told(play);
+    };
+    CHECK(chosen(PoolChoice::take_table) == "Foul: the cue ball fell. Player 2: ball in hand.");
+    CHECK(chosen(PoolChoice::break_again) == "Foul: the cue ball fell. Player 2 breaks.");
+    CHECK(chosen(PoolChoice::let_break) == "Foul: the cue ball fell. Player 1 breaks again.");
+}
+
 TEST_CASE("all choices of a game fit into the last line of 80 columns") {
     using enum PoolChoice;
     for (const std::vector<PoolChoice>& choices : {std::vector{take_table, return_push, replace},
@@ -134,8 +155,10 @@ TEST_CASE("all choices of a game fit into the last line of 80 columns") {
                                                    {spot_eight, break_again},
                                                    {take_table, let_break}}) {
         std::string line;
+        PoolState in_hand;
+        in_hand.in_hand = CueInHand::behind_head_string;
         for (const PoolChoice choice : choices)
-            line += " 1 " + std::string(choice_text(choice)) + " ";
+            line += " 1 " + std::string(choice_text(in_hand, choice)) + " ";
         CHECK(line.size() + std::string("? keys").size() <= 78);
     }
 }
