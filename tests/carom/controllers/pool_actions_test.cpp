@@ -291,6 +291,6 @@ TEST_CASE("j skips to the rest of a drill's balls, and not the pause in which th
         if (lies()) shown += 1.0 / 60.0;
     }
     CHECK_FALSE(shots().is_shooting);
-    CHECK(shown > 0.3);
-    CHECK(shown < 0.8);
+    CHECK(shown > 0.8);
+    CHECK(shown < 1.3);
 }
