@@ -89,7 +89,10 @@ TEST_CASE("a pot that is not expected to fall is announced as the safety that it
     shot.strike.velocity = {2.0, 0.0};
     shot.success = 0.1;
     CHECK(candidate_text(scene, shot).starts_with("bank a red into"));
-    CHECK(candidate_text(scene, shot).find("10 % chance to continue") != std::string::npos);
+    CHECK(candidate_text(scene, shot).find("9 % chance to continue") != std::string::npos);
+    // "100 %", and the ball stayed up: one shot in twenty.
+    shot.success = 1.0;
+    CHECK(candidate_text(scene, shot).find("93 % chance to continue") != std::string::npos);
     shot.success = 0.0;
     CHECK(candidate_text(scene, shot) == "safety on a red, 2.0 m/s");
 }
