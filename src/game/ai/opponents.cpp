@@ -8,6 +8,7 @@ namespace carom {
 namespace {
 
 constexpr PlayStyle even{};
+constexpr PlayStyle eager{.safety = -0.4, .risk = 0.2};
 constexpr PlayStyle safe{.safety = 0.25, .risk = -0.2, .pause = 1.8};
 constexpr PlayStyle bold{.safety = -0.5, .risk = 0.35, .pace = 0.02};
 constexpr PlayStyle fast{.safety = -0.15, .pace = 0.06, .pause = 0.2};
@@ -28,7 +29,7 @@ const std::array<AiPlayer, most_opponent>& players() {
         of_skill(2),
         of_skill(3),
         of_skill(4),
-        someone("Nell", 9.0, even, "learns, and plays what lies there"),
+        someone("Nell", 9.0, eager, "learns, and goes for the pot"),
         someone("Bo", 6.5, bold, "bold: goes for every pot"),
         someone("Ida", 4.5, safe, "safe: leaves you nothing"),
         someone("Rex", 3.3, fast, "fast: hits hard, never waits"),

@@ -111,3 +111,11 @@ TEST_CASE(
     CHECK(bold.pots >= even.pots);
     CHECK(fast.speed() > even.speed());
 }
+
+// With a hand that misses most pots she played safe every other time: no game for a beginner.
+TEST_CASE("the first of the ladder goes for pots that a planner of her hand would leave") {
+    const AiPlayer& first = ai_player(ladder().front().opponent);
+    const auto [even, hers] = choices_of(std::array{PlayStyle{}, first.style}, first.noise);
+    CHECK(hers.pots > even.pots);
+    CHECK(hers.safeties < even.safeties);
+}
