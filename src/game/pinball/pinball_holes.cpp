@@ -65,8 +65,12 @@ bool take_in(Pinball game, std::uint32_t device, BallId ball) {
 }
 
 void release(Pinball game, const DeviceGroup& group) {
-    for (PinballState::Held& held : game.state.held)
-        if (std::ranges::count(group.devices, held.device) > 0) held.until = game.now();
+    for (PinballState::Held& held : game.state.held) {
+        if (std::ranges::count(group.devices, held.device) == 0) continue;
+        held.until = game.now();
+        // At once: whether the turn goes on may depend on it, where the last ball has just drained.
+        std::erase(game.state.locked, held.ball);
+    }
 }
 
 void update_holes(Pinball game) {

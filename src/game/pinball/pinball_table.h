@@ -68,7 +68,7 @@ void update_openings(Pinball game);
 // pinball_holes.cpp
 /// Lets a hole, or a magnet that is lit, take the ball. False: it is neither, or holds one already.
 bool take_in(Pinball game, std::uint32_t device, BallId ball);
-/// Lets go what a group of holes and magnets holds.
+/// Lets go what a group of holes and magnets holds, which is in play from now on.
 void release(Pinball game, const DeviceGroup& group);
 void update_holes(Pinball game);
 bool is_held(const PinballState& state, BallId ball);

@@ -106,6 +106,21 @@ TEST_CASE("a ball that drains while another is locked ends the turn, and the loc
     CHECK_FALSE(is_lit(game, "saucer"));
 }
 
+TEST_CASE("a locked ball that a rule releases as the last one drains goes on with the turn") {
+    SmallTable game(
+        "hole saucer at=100,400 toward=100,0 speed=1m/s keeps r=12\n"
+        "game pinball save=0s balls=2\non ball drain release saucer\n");
+    game.send({100, 400}, {}, 1.0);
+    REQUIRE(game.world.balls().size() == 2);
+    game.world.edit_balls().position[1] = Vec2{200, 20} * 0.001;
+    for (int i = 0; i < 400 && game.world.balls().size() == 2; ++i)
+        game.run(0.01);
+    REQUIRE(game.world.balls().size() == 1);
+    CHECK(game.state().phase == PinballState::Phase::playing);
+    CHECK(game.state().ball == 1);
+    CHECK(is_in_play(game.scene, game.state(), game.world.balls().id[0]));
+}
+
 TEST_CASE("a hole that lifts balls ejects them on its layer") {
     SmallTable game(
         "material rail layer=1\nedge rail 0,0 400,0\n"
