@@ -201,3 +201,49 @@ TEST_CASE("the match at the end of a game says whether the score matches, and no
     CHECK(matches > 0);
     CHECK(matches < 40);
 }
+
+TEST_CASE("a table tells of the kickback when it comes on, not while it is lit") {
+    struct Bank {
+        std::string table;
+        std::string_view bank;
+        RuleEvent event = RuleEvent::hit;
+    };
+    const Bank banks[] = {{"three-bumpers", "stands"},
+                          {"cable-car", "walls", RuleEvent::enter},
+                          {"night-vault", "guards"},
+                          {"foundry", "bellows"}};
+    for (const Bank& bank : banks)
+        for (const bool is_lit : {true, false}) {
+            CAPTURE(bank.table);
+            CAPTURE(is_lit);
+            ShippedTable table(bank.table);
+            table.state().is_lit[table.devices("rescue").front()] = is_lit ? 1 : 0;
+            table.happen_to_all(bank.bank, bank.event);
+            CHECK((table.state().message == "KICKBACK LIT") == !is_lit);
+            CHECK(table.lit("rescue") == 1);
+        }
+}
+
+TEST_CASE("each wizard mode says when it is over") {
+    struct Mode {
+        std::string table;
+        std::string_view timer;
+    };
+    const Mode modes[] = {{"three-bumpers", "crown"},
+                          {"cable-car", "peak"},
+                          {"night-vault", "heist"},
+                          {"foundry", "great_cast"}};
+    for (const Mode& mode : modes) {
+        CAPTURE(mode.table);
+        ShippedTable table(mode.table);
+        const auto timer =
+            std::ranges::find(table.scene.rules.timers, mode.timer, &RuleTimer::name);
+        REQUIRE(timer != table.scene.rules.timers.end());
+        const auto number = static_cast<std::size_t>(timer - table.scene.rules.timers.begin());
+        table.state().rules.timer_ends[number] = table.world.tick() + 1;
+        table.state().message.clear();
+        ++table.world.edit_tick();
+        run_rules(table.table());
+        CHECK_FALSE(table.state().message.empty());
+    }
+}
