@@ -70,7 +70,9 @@ void end_game(Pinball game) {
         state.score = scores[static_cast<std::size_t>(winner)];
         return game.say(fmt::format("GAME OVER  PLAYER {} WINS", winner + 1), 3600.0);
     }
-    const auto drawn = random_bits(game.world.seed(), RandomStream::player, state.games, 0) % 10;
+    // From the moment as well: the first game of each evening would else draw the same number.
+    const auto drawn =
+        random_bits(game.world.seed(), RandomStream::player, state.games, game.now()) % 10;
     const bool matches = static_cast<std::uint64_t>(state.score / 10 % 10) == drawn;
     game.say(fmt::format("GAME OVER  MATCH {}0{}", drawn, matches ? "  YOUR SCORE MATCHES" : ""),
              3600.0);

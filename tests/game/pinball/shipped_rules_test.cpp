@@ -202,6 +202,22 @@ TEST_CASE("the match at the end of a game says whether the score matches, and no
     CHECK(matches < 40);
 }
 
+TEST_CASE("the match draws another number at another moment, in the first game too") {
+    std::vector<std::string> drawn;
+    for (int tick = 0; tick < 40; ++tick) {
+        ShippedTable table("night-vault");
+        table.world.edit_tick() = static_cast<std::uint64_t>(tick);
+        PinballState& state = table.state();
+        state.ball = 3;
+        state.phase = PinballState::Phase::counting;
+        update_game(table.scene, table.world, table.game, {});
+        drawn.push_back(state.message);
+    }
+    std::ranges::sort(drawn);
+    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+    CHECK(drawn.size() > 5);
+}
+
 TEST_CASE("a table tells of the kickback when it comes on, not while it is lit") {
     struct Bank {
         std::string table;
