@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "carom/controllers/pinball_panel.h"
 #include "game/pinball/pinball.h"
@@ -82,7 +83,7 @@ void dress_light(TableLight& light, const DeviceDress& dress) {
 // The camera follows the ball nearest to the drain, which matters most. Before the launch it shows
 // the whole table, with the lane that the plunger is to reach.
 void PinballDisplay::follow(const Session& session, double seconds) {
-    celebrate(session, seconds);
+    count_ball(state_of(session));
     camera_.approach(state_of(session).is_launched || !session.scene().table.is_game, seconds);
     const Balls& balls = session.world().balls();
     std::optional<std::size_t> lowest;
@@ -123,39 +124,21 @@ void PinballDisplay::cut_panel(const Session& session, CellArea& area, const Box
     panel_ = {area.column + area.columns, area.row, columns, area.rows};
 }
 
-void PinballDisplay::celebrate(const Session& session, double seconds) {
-    constexpr std::int64_t large = 5000;  // points at once
-    constexpr double duration = 1.8;      // s
-    const PinballState& state = state_of(session);
-    const auto balls = static_cast<std::size_t>(std::ranges::count_if(
-        session.world().balls().id,
-        [&](BallId ball) { return is_in_play(session.scene(), state, ball); }));
-    const bool is_large = state.score - score_ >= large || (balls > balls_ && balls > 1);
-    const bool is_new_game = state.score < score_;
-    // A tilt ends every celebration.
-    banner_left_ = state.is_tilted ? 0.0 : std::max(0.0, banner_left_ - seconds);
-    if (is_large && !is_new_game && !state.is_tilted && !state.message.empty()) {
-        banner_ = state.message;
-        banner_left_ = duration;
-    }
-    count_ball(state);
-    score_ = state.score;
-    balls_ = balls;
-}
-
 // A score that falls is that of another game, or of an earlier time.
 void PinballDisplay::count_ball(const PinballState& state) {
-    if (state.score < score_ || state.ball < ball_) {
-        std::erase_if(ball_scores_,
-                      [&](const BallScore& known) { return known.ball >= state.ball; });
+    const bool is_over = state.phase == PinballState::Phase::over;
+    const std::uint32_t ball = state.ball + (is_over ? 1 : 0);
+    const std::int64_t before = std::exchange(score_, state.score);
+    if (state.score < before || ball < ball_) {
+        std::erase_if(ball_scores_, [&](const BallScore& known) { return known.ball >= ball; });
         began_.reset();
-        ball_ = state.ball;
+        ball_ = ball;
     }
-    if (state.score == 0 && state.ball == 1) began_ = 0;
-    if (state.ball <= ball_) return;
+    if (state.score == 0 && ball == 1) began_ = 0;
+    if (ball <= ball_) return;
     if (began_ && ball_ > 0) ball_scores_.push_back({ball_, state.score - *began_});
     if (ball_ > 0) began_ = state.score;
-    ball_ = state.ball;
+    ball_ = ball;
 }
 
 Camera PinballDisplay::look(const Session& session, const Box& table, const CellArea& area,
@@ -228,12 +211,8 @@ void PinballDisplay::draw_panel(Canvas& canvas, const Session& session, const Pi
     if (scores_of(state_of(session)).size() == 1)
         for (const BallScore& known : ball_scores_)
             panel.balls.push_back(fmt::format("ball {} {:>16}", known.ball, grouped(known.score)));
-    if (banner_left_ > 0.0) {
-        constexpr double beats = 4.0;  // a second
-        const bool is_bright = beats * banner_left_ - std::floor(beats * banner_left_) < 0.5;
-        panel.message = banner_;
-        panel.moment = is_bright ? ScorePanel::Moment::large_bright : ScorePanel::Moment::large;
-    }
+    panel.message = messages_.text();
+    panel.moment = messages_.moment();
     draw_score_panel(canvas, panel_, panel, look);
 }
 

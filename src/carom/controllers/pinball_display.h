@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "carom/controllers/pinball_messages.h"
 #include "carom/controllers/pinball_scores.h"
 #include "game/session/session.h"
 #include "terminal/canvas/camera.h"
@@ -23,6 +23,9 @@ class PinballDisplay {
     /// Takes the room for the score panel from the right of `area`, and in a wide window that for
     /// the rules card from its left. `table`: what the camera shows.
     void cut_panel(const Session& session, CellArea& area, const Box& table);
+    /// Takes up what the table says. Returns whether messages().text() has changed.
+    bool listen(const Session& session) { return messages_.follow(session); }
+    const PinballMessages& messages() const { return messages_; }
     bool has_panel() const { return panel_.columns > 0; }
     /// `whole`: shows the whole table, however small the ball gets.
     Camera look(const Session& session, const Box& table, const CellArea& area, double aspect,
@@ -32,18 +35,13 @@ class PinballDisplay {
                     bool is_demonstrating, const Look& look) const;
 
   private:
-    void celebrate(const Session& session, double seconds);
     void count_ball(const PinballState& state);
 
     TableCamera camera_;
     CellArea panel_;
     CellArea card_;
 
-    // A large moment, told in large letters in the panel: nothing may hide a ball in play.
-    std::string banner_;
-    double banner_left_ = 0.0;  // s
-    std::int64_t score_ = 0;    // when last looked at
-    std::size_t balls_ = 0;
+    PinballMessages messages_;  ///< told in the panel, since nothing may hide a ball in play
 
     /// What a ball of this game scored, of one player.
     struct BallScore {
@@ -51,7 +49,8 @@ class PinballDisplay {
         std::int64_t score = 0;
     };
     std::vector<BallScore> ball_scores_;  ///< of those that were seen from their beginning
-    std::uint32_t ball_ = 0;              ///< in play, when last looked at
+    std::uint32_t ball_ = 0;              ///< in play, when last looked at; after a game one more
+    std::int64_t score_ = 0;              ///< when last looked at
     std::optional<std::int64_t> began_;   ///< the score with which it began, if that is known
 };
 

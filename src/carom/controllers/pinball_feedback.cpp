@@ -46,6 +46,7 @@ void PinballFeedback::note_time(PlayContext& play) {
 void PinballFeedback::pass(PlayContext& play, double seconds) {
     note_time(play);
     display_.follow(play.session, seconds);
+    listen(play);
     if (!play.clock.is_paused() && scores_.pass(seconds)) play.needs_draw = true;
 }
 
@@ -53,9 +54,14 @@ void PinballFeedback::after_ticks(PlayContext& play, double seconds, bool is_dem
     const PinballState& state = state_of(play);
     if (bell_.rings(play.session, seconds) && play.terminal.rings) play.terminal.bell_is_due = true;
     scores_.follow(state, is_demonstrating, is_watching(play));
-    if (state.message == last_message_) return;
-    last_message_ = state.message;
-    if (!last_message_.empty() && !display_.has_panel()) say(play, last_message_);
+    listen(play);
+}
+
+void PinballFeedback::listen(PlayContext& play) {
+    if (!display_.listen(play.session)) return;
+    play.needs_draw = true;
+    const std::string& message = display_.messages().text();
+    if (!message.empty() && !display_.has_panel()) say(play, message);
 }
 
 Camera PinballFeedback::fit(const PlayContext& play, const CellArea& area, double aspect) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <cstdint>
 
 #include "carom/context/play_context.h"
 #include "carom/controllers/pinball_bell.h"
@@ -35,13 +35,13 @@ class PinballFeedback {
     void add_score(const PlayContext& play, HudInfo& info) const;
 
   private:
+    void listen(PlayContext& play);
     void note_time(PlayContext& play);
     void leave_out(PlayContext& play, const char* why);
 
     PinballDisplay display_;
     PinballBell bell_;
     PinballScores scores_;
-    std::string last_message_;  ///< the table's last message
     std::uint64_t latest_ = 0;  ///< the latest tick of the session, when last looked at
 };
 
