@@ -84,11 +84,13 @@ void PinballFeedback::add_score(const PlayContext& play, HudInfo& info) const {
     const PinballState& state = state_of(play);
     const PinballTable& table = play.session.scene().table;
     if (!table.is_game || display_.has_panel()) return;
-    info.title +=
-        fmt::format(": score {}, ball {} of {}", grouped(state.score), state.ball, table.balls);
-    if (state.multiplier > 1) info.title += fmt::format(", bonus x{}", state.multiplier);
-    if (state.is_tilted) info.title += ", tilt";
-    if (state.phase == PinballState::Phase::over) info.title += ", game over";
+    // The score first: a narrow window cuts the rest.
+    std::string score =
+        fmt::format("{}, ball {} of {}", grouped(state.score), state.ball, table.balls);
+    if (state.multiplier > 1) score += fmt::format(", bonus x{}", state.multiplier);
+    if (state.is_tilted) score += ", tilt";
+    if (state.phase == PinballState::Phase::over) score += ", game over";
+    info.title = score + ": " + info.title;
 }
 
 }  // namespace carom

@@ -40,6 +40,14 @@ std::vector<std::string> player_lines(const Session& session) {
     return lines;
 }
 
+/// What the last game of people scored, while carom plays; empty: nobody has played.
+std::string last_game_line(const PinballScores& scores) {
+    std::string line;
+    for (const std::int64_t score : scores.last_game())
+        line += (line.empty() ? "last game: " : ", ") + grouped(score);
+    return line;
+}
+
 /// What the score reaches next: a place in the table of high scores, or the award of an extra ball.
 std::string target_line(const Session& session, const PinballScores& scores) {
     const auto& state = std::get<PinballState>(session.game());
@@ -108,16 +116,20 @@ std::vector<std::string> timer_lines(const Session& session) {
     return lines;
 }
 
+// As on real tables, the ball saver works for a moment after its light has gone out: who sees the
+// ball drain just then would else feel cheated.
+constexpr double saver_grace = 2.0;  // s
+
 /// Tilt, or the ball saver and warnings; empty if there are none.
 std::string safety_line(const Session& session) {
     const auto& state = std::get<PinballState>(session.game());
     const std::uint64_t tick = session.world().tick();
     if (state.is_tilted) return "TILT";
     std::string line;
-    if (tick < state.save_until && state.phase != PinballState::Phase::over) {
-        const auto left = static_cast<double>(state.save_until - tick) / session.world().rate();
+    const auto saved = static_cast<double>(state.save_until - std::min(tick, state.save_until));
+    const double left = saved / session.world().rate() - saver_grace;
+    if (left > 0.0 && state.phase != PinballState::Phase::over)
         line = fmt::format("ball saver {:.0f} s", std::ceil(left));
-    }
     if (state.warnings == 0) return line;
     return fmt::format("{}warning {} of {}", line.empty() ? "tilt " : line + ", ", state.warnings,
                        session.scene().table.warnings);
@@ -151,6 +163,8 @@ ScorePanel score_panel(const Session& session, const PinballScores& scores, bool
         panel.call = "PRESS ENTER TO START";
     else if (is_demonstrating)
         panel.call = "DEMONSTRATION";
+    if (const std::string last = last_game_line(scores); is_demonstrating && !last.empty())
+        panel.lines.insert(panel.lines.begin(), last);
     int rank = 0;
     for (const HighScore& score : scores.scores().lines)
         panel.high_scores.push_back({fmt::format("{}", ++rank), score.initials,

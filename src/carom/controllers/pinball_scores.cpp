@@ -16,8 +16,9 @@ void PinballScores::follow(const PinballState& state, bool is_demonstrating, boo
     }
     if (state.games == last_game_ || is_watched) return;
     last_game_ = state.games;
-    if (is_left_out_) return;
     const std::vector<std::int64_t> scores = scores_of(state);
+    if (!is_demonstrating) last_scores_ = scores;
+    if (is_left_out_) return;
     asked_.clear();
     for (std::size_t i = 0; i < scores.size(); ++i)
         asked_.push_back({scores[i], scores.size() > 1 ? i + 1 : 0});

@@ -24,6 +24,8 @@ class PinballScores {
     /// first. Not after a game that the demo took part in or that was left out, nor in a recording
     /// (`watched`).
     void follow(const PinballState& state, bool is_demonstrating, bool is_watched);
+    /// What the players of the last game of people scored; empty: there was none.
+    const std::vector<std::int64_t>& last_game() const { return last_scores_; }
     /// Leaves this game out of the high scores: its player went back and changed it, or slowed it,
     /// in this session or before it was resumed.
     void leave_out() { is_left_out_ = true; }
@@ -57,6 +59,7 @@ class PinballScores {
     std::optional<std::string> initials_;
     std::vector<Asked> asked_;  ///< the scores that initials are asked for, the best first
     double idle_ = 0.0;         ///< s since the last key
+    std::vector<std::int64_t> last_scores_;
     std::optional<HighScore> written_;
     std::optional<HighScore> newest_;
     bool is_left_out_ = false;     ///< this game

@@ -72,6 +72,24 @@ void HighScores::add(const HighScore& score) {
     if (lines.size() > most) lines.resize(most);
 }
 
+HighScores with_house_scores(HighScores kept, std::int64_t replay) {
+    struct Share {
+        const char* initials;
+        std::int64_t percent;
+    };
+    // People of the ladder (game/ai/opponents.h), the least first: in a short list it can be
+    // beaten.
+    constexpr Share house[] = {{"IDA", 10}, {"REX", 20}, {"MAR", 40}, {"OTT", 60}, {"VIV", 100}};
+    std::size_t free = kept.most;
+    for (const Share& share : house) {
+        const std::int64_t score = replay / 100 * share.percent;
+        if (free == 0 || score <= 0) break;
+        --free;
+        kept.add({share.initials, score});
+    }
+    return kept;
+}
+
 HighScoresText read_high_scores(std::string_view text, std::string_view table, std::size_t most,
                                 std::string_view file) {
     HighScoresText result;

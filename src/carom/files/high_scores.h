@@ -39,6 +39,11 @@ struct HighScores {
     void add(const HighScore& score);
 };
 
+/// What a table shows: the best of `kept` and of the scores of the house, which a real table has
+/// from the factory. Those reach from a tenth of `replay`, the score of the extra ball, to all of
+/// it; 0: there are none. They are in no file.
+HighScores with_house_scores(HighScores kept, std::int64_t replay);
+
 struct HighScoresText {
     HighScores scores;
     std::optional<std::string> problem;  ///< set if the file cannot be used: a sentence

@@ -45,7 +45,7 @@ void show_high_scores(Player& player, const LevelSource& source) {
         return player.set_high_scores({.lines = {}, .most = 0});
     HighScoresText kept = load_high_scores(high_scores_name(source.path), table.highscores);
     if (kept.problem) player.complain(*kept.problem);
-    player.set_high_scores(std::move(kept.scores));
+    player.set_high_scores(with_house_scores(std::move(kept.scores), table.replay));
 }
 
 // Gives a player at a game of pool the record of earlier matches.

@@ -30,10 +30,10 @@ void keep_score(Player& player, const std::string& path) {
     PinballScores* const scores = player.pinball_scores();
     const auto score = scores ? scores->take() : std::nullopt;
     if (!score) return;
-    const std::size_t most = player.session().scene().table.highscores;
-    HighScoresText kept = keep_high_score(high_scores_name(path), most, *score);
+    const PinballTable& table = player.session().scene().table;
+    HighScoresText kept = keep_high_score(high_scores_name(path), table.highscores, *score);
     if (kept.problem) player.complain(*kept.problem);
-    player.set_high_scores(std::move(kept.scores));
+    player.set_high_scores(with_house_scores(std::move(kept.scores), table.replay));
 }
 
 // Settings that keys of a game have changed.

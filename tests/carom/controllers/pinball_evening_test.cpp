@@ -17,7 +17,50 @@ std::string changed(std::string text, const std::string& what, const std::string
 
 }  // namespace
 
-TEST_CASE("the list of a game that is over has every ball") {
+TEST_CASE("a table that nobody has played shows scores of the house, and asks who beats one") {
+    for (const bool is_beaten : {false, true}) {
+        CAPTURE(is_beaten);
+        const TableHome home;
+        home.write("work.level",
+                   changed(short_game, "save=0s",
+                           is_beaten ? "save=0s replay=5000" : "save=0s replay=10000"));
+        AtTable table(home);
+        CHECK(table.sees(is_beaten ? "1  MAR          2,000" : "1  MAR          4,000"));
+        CHECK(table.sees("to beat: " + std::string(is_beaten ? "500" : "1,000") + " by IDA"));
+        table.pass(1.0);
+        table.key(key::enter);
+        table.pass(8.0);
+        CHECK(table.sees("GAME OVER"));
+        CHECK(table.sees("YOUR INITIALS") == is_beaten);
+        if (!is_beaten) continue;
+        for (const char32_t letter : U"abc")
+            if (letter != 0) table.key(letter);
+        table.key(key::enter);
+        table.pass(0.1);
+        CHECK(table.sees("2  REX          1,000"));
+        CHECK(table.sees("3  ABC            700"));
+        CHECK_FALSE(table.sees("IDA"));
+    }
+}
+
+TEST_CASE("the light of the ball saver goes out two seconds before it ends") {
+    const TableHome home;
+    home.write("work.level", changed(short_game, "save=0s", "save=2.5s"));
+    AtTable table(home, true);
+    table.pass(1.0);
+    table.key(key::enter);
+    table.pass(1.0);
+    table.key(key::enter, InputEvent::Action::release);
+    table.pass(0.1);
+    CHECK(table.sees("ball saver 1 s"));
+    table.pass(0.5);
+    CHECK_FALSE(table.sees("ball saver"));
+    for (int i = 0; i < 200 && table.sees("ball 1 of 1") && !table.sees("BALL SAVED"); ++i)
+        table.pass(0.02);
+    CHECK(table.sees("BALL SAVED"));
+}
+
+TEST_CASE("the list of a game that is over has every ball, and the demo shows what it scored") {
     const TableHome home;
     home.write("work.level", changed(short_game, "balls=1", "balls=2"));
     AtTable table(home);
@@ -29,4 +72,22 @@ TEST_CASE("the list of a game that is over has every ball") {
     REQUIRE(table.sees("GAME OVER"));
     CHECK(table.sees("ball 1              700"));
     CHECK(table.sees("ball 2              700"));
+    table.key(key::escape);
+    bool is_shown = false;
+    for (int i = 0; i < 300 && !is_shown; ++i) {
+        table.pass(0.1);
+        is_shown = table.sees("DEMONSTRATION") && table.sees("last game: 1,400");
+    }
+    CHECK(is_shown);
+}
+
+TEST_CASE("the score can be read in a narrow window") {
+    const TableHome home;
+    home.write("work.level", short_game);
+    AtTable table(home);
+    table.pass(1.0);
+    table.key(key::enter);
+    table.pass(2.5);
+    table.window = Canvas{30, 12};
+    CHECK(table.sees("700, ball 1 of 1"));
 }

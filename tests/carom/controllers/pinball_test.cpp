@@ -650,7 +650,7 @@ TEST_CASE("the ball saver does not hide how many warnings are left") {
         table.pass(0.12);
         table.key(U'x', InputEvent::Action::release);
     }
-    CHECK(table.sees("ball saver 10 s, warning 1 of 3"));
+    CHECK(table.sees("ball saver 8 s, warning 1 of 3"));
 }
 
 TEST_CASE("a tilt ends a celebration") {
