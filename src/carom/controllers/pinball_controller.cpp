@@ -58,7 +58,8 @@ bool has_flippers(const Scene& scene) {
 bool is_in_pinball_game(const Session& session) {
     const auto* const state = std::get_if<PinballState>(&session.game());
     if (!state || !session.scene().table.is_game || is_over(session)) return false;
-    return state->games > 1 || state->ball > 1 || state->score > 0 || state->is_launched;
+    return state->games > 1 || state->players > 1 || state->ball > 1 || state->score > 0 ||
+           state->is_launched;
 }
 
 void PinballController::learn_keys(PlayContext& play) {
@@ -74,6 +75,9 @@ void PinballController::end_demo(PlayContext& play) {
 }
 
 void PinballController::press_key(PlayContext& play, Button button, const InputEvent& event) {
+    // The gauge of the plunger has the place of the message.
+    const bool pulls = button == Button::plunger && event.action == InputEvent::Action::press;
+    if (pulls && !demo_) play.messages.end_message();
     end_demo(play);
     const bool starts_game = button == Button::plunger && is_over(play.session);
     press_buttons(play, input_.take_key(button, event));
@@ -240,7 +244,10 @@ void PinballController::add_status(const PlayContext& play, HudInfo& info) const
         info.goal = "GAME OVER";
         return;
     }
-    const double pull = std::get<PinballState>(play.session.game()).pull;
+    const auto& state = std::get<PinballState>(play.session.game());
+    // Its rules have not said what to shoot for: the goal would flicker up for a moment.
+    if (state.rules.turn_is_new && is_in_pinball_game(play.session)) info.goal.clear();
+    const double pull = state.pull;
     if (pull > 0.0) {
         info.game = fmt::format("plunger {} {:.0f} %", power_bar(pull, play.view.options.look),
                                 100.0 * pull);

@@ -17,6 +17,27 @@ std::string changed(std::string text, const std::string& what, const std::string
 
 }  // namespace
 
+TEST_CASE(
+    "the demo takes no ball of a game of several players, and one stray key does not end it") {
+    const TableHome home;
+    home.write("work.level", changed(short_game, "balls=1", "balls=2 players=2"));
+    AtTable table(home);
+    table.key(U'p');
+    table.pass(1.0);
+    table.key(key::enter);
+    for (int i = 0; i < 100 && !table.sees("> player 2"); ++i)
+        table.pass(0.1);
+    REQUIRE(table.sees("> player 2"));
+    CHECK(table.sees("player 1  700"));
+    // Player 2 comes back with a drink.
+    table.pass(30.0);
+    CHECK_FALSE(table.sees("DEMONSTRATION"));
+    table.key(U'r');
+    CHECK(table.sees("Press r again to end this game."));
+    table.key(U'q');
+    CHECK(table.program.is_kept());
+}
+
 TEST_CASE("a table that nobody has played shows scores of the house, and asks who beats one") {
     for (const bool is_beaten : {false, true}) {
         CAPTURE(is_beaten);
@@ -90,4 +111,44 @@ TEST_CASE("the score can be read in a narrow window") {
     table.pass(2.5);
     table.window = Canvas{30, 12};
     CHECK(table.sees("700, ball 1 of 1"));
+}
+
+TEST_CASE("no frame between two balls shows the goal of the level in place of the task") {
+    const TableHome home;
+    std::string text = changed(short_game, "balls=1", "balls=2");
+    text = changed(text, "units mm", "# Goal: Cross the lane.\nunits mm");
+    home.write("work.level", text + "task \"SHOOT THE LANE\" for lane\n");
+    AtTable table(home);
+    table.pass(1.0);
+    table.key(key::enter);
+    table.pass(1.0);
+    REQUIRE(table.sees("SHOOT THE LANE"));
+    // The line of the table is the first below it.
+    const auto line = [&] {
+        table.look();
+        std::string cells;
+        for (int column = 0; column < 100; ++column)
+            cells += static_cast<char>(table.window.at(column, table_rows).glyph & 0x7fU);
+        return cells;
+    };
+    bool sees_goal = false;
+    for (int i = 0; i < 4000 && !table.sees("ball 2 of 2"); ++i) {
+        table.pass(0.001);
+        sees_goal = sees_goal || line().find("Cross the lane") != std::string::npos;
+    }
+    CHECK(table.sees("ball 2 of 2"));
+    CHECK_FALSE(sees_goal);
+}
+
+TEST_CASE("no message hides how far the plunger is pulled") {
+    const TableHome home;
+    AtTable table(home);
+    table.key(U'd');
+    table.pass(0.1);
+    table.key(U'z');
+    REQUIRE(table.sees("your game"));
+    table.key(key::enter);
+    table.pass(0.3);
+    CHECK(table.sees("plunger "));
+    CHECK_FALSE(table.sees("your game"));
 }
