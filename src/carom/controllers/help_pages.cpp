@@ -24,7 +24,7 @@ constexpr HelpLine lines[] = {
     {at_table, "Shot", "cursor-up cursor-down", "up down", "power"},
     {at_table, "Shot", "pan-left pan-right pan-up pan-down", "shift-arrows",
      "tip: side, follow, draw"},
-    {at_pool, "Shot", "next-pot previous-pot", "", "next, previous pot"},
+    {at_pool, "Shot", "next-pot previous-pot", "", "next pot; match: ball"},
     {at_cue, "Shot", "next-pot previous-pot", "", "next, previous target"},
     {at_pool, "Shot", "call", "", "safety, or push-out"},
     {at_table, "Shot", "place-cue-ball", "", "place the cue ball"},
