@@ -44,11 +44,25 @@ std::optional<std::string> wrong_ball(const Session& session, BallId ball) {
     return game->rules.referee->ball_name(*number);
 }
 
+std::optional<Impact> first_edge(const World& world, const Disc& ball, Vec2 way, double most) {
+    std::optional<Impact> first;
+    for (const Capsule& edge : world.capsules().shape)
+        if (const auto impact = first_impact(ball, way, edge, first ? first->time : most))
+            first = impact;
+    return first;
+}
+
+// A ball that lies at a cushion and is sent into it runs along it.
+Vec2 along_cushion(const World& world, const Disc& ball, Vec2 way) {
+    const auto impact = first_edge(world, ball, way, 0.25 * ball.radius);
+    if (!impact) return way;
+    return way - impact->normal * (1.000001 * dot(way, impact->normal));
+}
+
 // The end of the straight path of a ball: at the first edge, or where it falls into a pocket.
 Vec2 end_of_way(const World& world, const Disc& ball, Vec2 way, double most) {
-    double reach = most;
-    for (const Capsule& edge : world.capsules().shape)
-        if (const auto impact = first_impact(ball, way, edge, reach)) reach = impact->time;
+    const auto impact = first_edge(world, ball, way, most);
+    double reach = impact ? impact->time : most;
     for (const Zone& zone : world.zones())
         if (zone.effect == Zone::Effect::sink)
             if (const auto fall = first_impact(Disc{ball.center, 0.0}, way, zone.shape, reach))
@@ -149,7 +163,9 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
             const Vec2 object = world.balls().position[*index_of(world, *line->object)];
             annotations.ghost = Disc{line->to, radius};
             if (shows_object_line(session))
-                annotations.object = on_table(object, line->object_way, reach * line->cut_cosine);
+                annotations.object =
+                    on_table(object, along_cushion(world, {object, radius}, line->object_way),
+                             reach * line->cut_cosine);
             if (!is_match_ && setup_.aids == Aids::ghost) {
                 const double rest = 1.0 - line->cut_cosine * line->cut_cosine;
                 annotations.tangent =

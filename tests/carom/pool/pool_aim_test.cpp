@@ -118,6 +118,24 @@ TEST_CASE(
     CHECK(drilled.next_aids(drill) == "For real, only the ghost ball is shown.");
 }
 
+// No line was drawn where a ball at the rail is cut along it, which is a common shot.
+TEST_CASE("the line of a ball at a cushion runs along the cushion") {
+    Scene scene = test::shipped_level("snooker");
+    const std::size_t yellow = 16;
+    const Vec2 place{0.2, -0.889 + 0.02625};
+    scene.world.edit_balls().position[yellow] = place;
+    const Session session = session_at(std::move(scene));
+    PoolAim aim(session);
+    aim.set_match(true);
+    aim.look(session);
+    aim.aim_at(session, place);
+    aim.look(session);
+    const PoolAnnotations shown = aim.annotations(session, true);
+    REQUIRE(shown.object);
+    CHECK(shown.object->to.x > place.x + 5 * 0.02625);
+    CHECK(std::abs(shown.object->to.y - place.y) < 0.001);
+}
+
 // "cut 36.0 left" was the cut on the 3, before the 2 that was on.
 TEST_CASE("the line of the aim names a ball that must not be hit first") {
     const Session session = session_at(test::shipped_level("snooker"));
