@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "carom/pool/pool_aim.h"
@@ -57,6 +58,20 @@ Vec2 along_cushion(const World& world, const Disc& ball, Vec2 way) {
     const auto impact = first_edge(world, ball, way, 0.25 * ball.radius);
     if (!impact) return way;
     return way - impact->normal * (1.000001 * dot(way, impact->normal));
+}
+
+// How far a ball gets before it meets another one, at most `most`. The two balls of the aim are
+// left out.
+double free_way(const World& world, const Disc& ball, Vec2 way, double most,
+                const std::array<BallId, 2>& aimed) {
+    double reach = most;
+    const Balls& balls = world.balls();
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (std::ranges::count(aimed, balls.id[i]) > 0) continue;
+        const Disc other{balls.position[i], balls.radius[i]};
+        if (const auto impact = first_impact(ball, way, other, reach)) reach = impact->time;
+    }
+    return reach;
 }
 
 // The end of the straight path of a ball: at the first edge, or where it falls into a pocket.
@@ -152,7 +167,9 @@ PoolAnnotations PoolAim::annotations(const Session& session, bool aims) const {
     if (shown_aids() == Aids::none) return annotations;
     if (const auto line = aim_line(world, cue, strike.velocity)) {
         const auto on_table = [&](Vec2 from, Vec2 way, double most) {
-            return PoolAnnotations::Line{from, end_of_way(world, {from, radius}, way, most)};
+            const double reach =
+                free_way(world, {from, radius}, way, most, {cue, line->object.value_or(cue)});
+            return PoolAnnotations::Line{from, end_of_way(world, {from, radius}, way, reach)};
         };
         const Vec2 way = strike.velocity / length(strike.velocity);
         annotations.aim = line->object ? PoolAnnotations::Line{line->from, line->to}

@@ -136,6 +136,30 @@ TEST_CASE("the line of a ball at a cushion runs along the cushion") {
     CHECK(std::abs(shown.object->to.y - place.y) < 0.001);
 }
 
+// It ran on through the next ball, so a pot that was blocked looked free.
+TEST_CASE("the line of the object ball ends at the next ball") {
+    Scene scene = test::shipped_level("snooker");
+    const double y = scene.world.balls().position[0].y;
+    const double radius = scene.world.balls().radius[0];
+    const auto put = [&](std::size_t ball, Vec2 place) {
+        scene.world.edit_balls().position[ball] = place;
+    };
+    put(16, {0.0, y});
+    for (const double gap : {0.1, 0.6}) {
+        CAPTURE(gap);
+        put(17, {gap, y});
+        const Session session = session_at(scene);
+        PoolAim aim(session);
+        aim.set_match(true);
+        aim.look(session);
+        aim.aim_at(session, {0.0, y});
+        aim.look(session);
+        const auto line = aim.annotations(session, true).object;
+        REQUIRE(line);
+        CHECK(line->to.x == doctest::Approx(std::min(gap - 2.0 * radius, 14.0 * radius)));
+    }
+}
+
 // "cut 36.0 left" was the cut on the 3, before the 2 that was on.
 TEST_CASE("the line of the aim names a ball that must not be hit first") {
     const Session session = session_at(test::shipped_level("snooker"));
