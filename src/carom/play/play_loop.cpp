@@ -74,6 +74,7 @@ void PlayLoop::turn() {
 
     const double drawing = seconds_now();
     const bool is_due = program_.needs_draw() || is_stalled;
+    if (is_due && pacing_.wants_query() && screen_.ask()) pacing_.asked(drawing);
     const bool is_late = is_due && !pacing_.may_draw(drawing, input_came_);
     std::optional<Canvas> canvas;
     if (is_due && !is_late) canvas = draw(is_stalled);
@@ -165,7 +166,6 @@ Canvas PlayLoop::draw(bool is_stalled) {
 }
 
 void PlayLoop::show(const Canvas& canvas, double now) {
-    if (pacing_.wants_query() && screen_.ask()) pacing_.asked(now);
     const std::size_t bytes = screen_.show(canvas, FrameEnd::asks);
     if (bytes == 0) return;
     pacing_.drawn(now, bytes);

@@ -17,9 +17,9 @@ constexpr std::size_t usual_window = 2;
 constexpr std::size_t most_kept = 256;  // unanswered frames remembered
 constexpr double short_queue = 0.015;   // s; a frame that waited no longer met no queue
 constexpr double long_queue = 0.035;    // s; a frame that waited longer met too many others
-// A single frame under way, whose queue is so many round trips, keeps the link busy for 80 % of the
-// time. A second one would only be older.
-constexpr double busy_alone = 4.0;
+// A single frame under way, whose queue is so many round trips, keeps the link busy for 70 % of the
+// time. A second one would add little, and be twice as old.
+constexpr double busy_alone = 2.5;
 constexpr double contentment = 5.0;   // s before the window may grow again
 constexpr double path_memory = 10.0;  // s after which the shortest round trip is measured again
 
@@ -74,7 +74,7 @@ void Pacing::drawn(double now, std::size_t bytes) {
         window_ = usual_window;
         has_asked_again_ = true;
     }
-    sent_.push_back({.at = now, .was_alone = sent_.empty() || sent_.back().is_query});
+    sent_.push_back({.at = now, .was_alone = sent_.empty()});
     ++drawn_;
     if (sent_.size() > most_kept) sent_.pop_front();
     if (options_.bytes_per_second > 0.0) {
@@ -110,7 +110,9 @@ void Pacing::learn(const Sent& sent, double now) {
         return;
     }
     const std::size_t number = drawn_ - sent_.size();  // of what is answered or lost
-    shortest_trip_ = shortest_trip_ > 0.0 ? std::min(shortest_trip_, round_trip_) : round_trip_;
+    const bool is_first = shortest_trip_ <= 0.0;
+    shortest_trip_ = is_first ? round_trip_ : std::min(shortest_trip_, round_trip_);
+    if (is_first && round_trip_ > short_queue) is_probing_ = true;
     const double queue = round_trip_ - shortest_trip_;
     if (queue <= short_queue) seen_short_ = now;
     if (now - seen_short_ > path_memory) {  // the link may have become slower

@@ -12,12 +12,13 @@
 ///     two             normally
 ///     more than two   where the round trip is long and the queue short
 ///
-/// A query by itself, before the first frame and now and then on a congested link, measures the
-/// round trip without the time that it takes to send a frame. Pure arithmetic on times, in seconds
-/// of a monotonic clock, that the caller measures:
+/// A query by itself measures the round trip without the time that it takes to send a frame: after
+/// a first frame that took long, and now and then on a congested link. No frame follows it before
+/// the answer, since SSH may put both into one packet. Pure arithmetic on times, in seconds of a
+/// monotonic clock, that the caller measures:
 ///
+///     if (pacing.wants_query() && screen.ask()) pacing.asked(now);
 ///     if (pacing.may_draw(now, input_came)) {
-///         if (pacing.wants_query() && screen.ask()) pacing.asked(now);
 ///         bytes = screen.show(canvas, FrameEnd::asks);
 ///         if (bytes > 0) pacing.drawn(now, bytes);
 ///     }
@@ -45,8 +46,8 @@ class Pacing {
     bool may_draw(double now, bool urgent = false) const;
     /// A frame of so many bytes was sent, and ended with a query.
     void drawn(double now, std::size_t bytes);
-    /// Whether a query by itself should precede the next frame.
-    bool wants_query() const { return sent_.empty() && (is_probing_ || shortest_trip_ <= 0.0); }
+    /// Whether a query by itself should be sent now; frames wait for its answer.
+    bool wants_query() const { return is_probing_ && sent_.empty(); }
     /// Such a query was sent.
     void asked(double now);
     /// The total number of answers since the start, to frames and queries.

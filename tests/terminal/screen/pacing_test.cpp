@@ -17,14 +17,19 @@ struct Link {
     double bytes_per_second = 1e9;
     bool answers = true;
 
+    double sent_at = -1.0;           // the last time that something was sent
     double free_at = 0.0;            // when the link has sent everything queued
     std::deque<double> answers_due;  // when answers reach the game
     std::vector<double> ages;        // of each frame when it is shown, s
     std::size_t answered = 0;
 
+    // What is sent at one time arrives at one time, as in a packet of SSH.
     void carry(double now, double bytes) {
         free_at = std::max(free_at, now) + bytes / bytes_per_second;
         if (answers) answers_due.push_back(free_at + 2 * delay);
+        if (answers && now == sent_at && answers_due.size() > 1)
+            answers_due[answers_due.size() - 2] = answers_due.back();
+        sent_at = now;
     }
     void send(double now, double bytes) {
         carry(now, bytes);
@@ -52,11 +57,11 @@ int play(Pacing& pacing, Link& link, double& now, double seconds, double bytes,
     int frames = 0;
     for (const double end = now + seconds; now < end; now += 0.001) {
         pacing.answered(link.take(now), now);
-        if (!pacing.may_draw(now, is_urgent)) continue;
         if (pacing.wants_query()) {
             link.carry(now, 4);
             pacing.asked(now);
         }
+        if (!pacing.may_draw(now, is_urgent)) continue;
         link.send(now, bytes);
         pacing.drawn(now, static_cast<std::size_t>(bytes));
         ++frames;
