@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "carom/controllers/pinball_panel.h"
@@ -23,8 +24,9 @@ bool PinballFeedback::is_at(const Session& session) {
 
 bool PinballFeedback::may_enter(const PlayContext& play) const {
     const PinballTable& table = play.session.scene().table;
-    return table.is_game && scores_.scores().most > 0 && state_of(play).score > 0 &&
-           !scores_.is_left_out() && !is_watching(play);
+    const bool has_scored = std::ranges::max(scores_of(state_of(play))) > 0;  // anybody
+    return table.is_game && scores_.scores().most > 0 && has_scored && !scores_.is_left_out() &&
+           !is_watching(play);
 }
 
 void PinballFeedback::leave_out(PlayContext& play, const char* why) {
