@@ -247,6 +247,9 @@ void PinballController::add_status(const PlayContext& play, HudInfo& info) const
     const auto& state = std::get<PinballState>(play.session.game());
     // Its rules have not said what to shoot for: the goal would flicker up for a moment.
     if (state.rules.turn_is_new && is_in_pinball_game(play.session)) info.goal.clear();
+    // Without the panel, the first line is for the score alone, which must not be cut.
+    std::string task = info.goal;
+    if (!feedback_.has_panel()) info.goal.clear();
     const double pull = state.pull;
     if (pull > 0.0) {
         info.game = fmt::format("plunger {} {:.0f} %", power_bar(pull, play.view.options.look),
@@ -255,6 +258,10 @@ void PinballController::add_status(const PlayContext& play, HudInfo& info) const
     }
     if (is_demonstrating()) {
         info.game = attracts_ ? attract_help : demo_help;
+        return;
+    }
+    if (!feedback_.has_panel() && !task.empty()) {
+        info.game = std::move(task);
         return;
     }
     if (!has_flippers(play.session.scene())) return;

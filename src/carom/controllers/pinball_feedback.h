@@ -28,6 +28,7 @@ class PinballFeedback {
     void cut_panel(const PlayContext& play, CellArea& area) {
         display_.cut_panel(play.session, area, play.view.shown);
     }
+    bool has_panel() const { return display_.has_panel(); }
     Camera fit(const PlayContext& play, const CellArea& area, double aspect);
     void annotate(const PlayContext& play, Annotations& annotations) const;
     void draw_panel(const PlayContext& play, Canvas& canvas, bool is_demonstrating) const;

@@ -108,15 +108,22 @@ TEST_CASE("the list of a game that is over has every ball, and the demo shows wh
     CHECK(is_shown);
 }
 
-TEST_CASE("the score can be read in a narrow window") {
+TEST_CASE("the score and the task can be read in a narrow window") {
     const TableHome home;
-    home.write("work.level", short_game);
+    home.write(
+        "work.level",
+        short_game + std::string("task \"SHOOT THE LANE AT THE LEFT, ONCE AGAIN\" for lane\n"));
     AtTable table(home);
     table.pass(1.0);
     table.key(key::enter);
     table.pass(2.5);
-    table.window = Canvas{30, 12};
-    CHECK(table.sees("700, ball 1 of 1"));
+    for (const int columns : {30, 50}) {
+        CAPTURE(columns);
+        table.window = Canvas{columns, columns == 30 ? 12 : 24};
+        table.look();
+        CHECK(table.sees("700, ball 1 of 1"));
+        CHECK(table.sees("SHOOT THE LANE AT"));
+    }
 }
 
 TEST_CASE("no frame between two balls shows the goal of the level in place of the task") {
