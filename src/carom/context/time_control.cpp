@@ -30,9 +30,10 @@ void tell_outcome(PlayContext& play) {
     const TickNotes before = std::exchange(
         play.notes, notes_of_tick(play.session.world(), play.session.solver().kind,
                                   play.session.standing(), rule_state(play.session.game())));
-    // A note that lasts leaves room for other messages.
+    // A note is no error: the solver has kept its promises. One that lasts leaves room for other
+    // messages.
     if (const auto note = play_note(before, play.notes, purpose_of(play.session.scene())))
-        if (note->has_begun || !play.messages.line()) complain(play, note->text);
+        if (note->has_begun || !play.messages.line()) say(play, note->text);
 }
 
 /// Computes one tick; false at the end of a recording.

@@ -112,7 +112,7 @@ constexpr std::array<NoteRow, note_kinds> rows{{
              text_of(ticks.in_first), total(ticks.most));
      },
      .in_play = [](const TickNotes& notes) -> std::string {
-         return fmt::format("Too crowded: a moment's halt for {}.", text_of(notes.standing));
+         return fmt::format("Crowded: {} stood still for a tick.", text_of(notes.standing));
      },
      .in_report =
          [](JsonWriter& json, const RunNotes&, const RunNotes::Ticks& ticks) {

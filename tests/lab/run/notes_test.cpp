@@ -57,7 +57,7 @@ TEST_CASE("notes: a run, its report and play show every kind") {
 
 TEST_CASE("notes: play says in plain words that a crowd of balls halts, in experiments precisely") {
     const TickNotes tick = with(NoteKind::stood_still, 12);
-    CHECK(play_note({}, tick)->text == "Too crowded: a moment's halt for 12 balls.");
+    CHECK(play_note({}, tick)->text == "Crowded: 12 balls stood still for a tick.");
     CHECK(play_note({}, tick, PlayPurpose::experiment)->text ==
           "Time stood still for 12 balls: too many collisions.");
 }
