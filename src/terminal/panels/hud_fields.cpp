@@ -69,14 +69,20 @@ HudField drift_field(std::string_view label, double drift, int rank, const Look&
     return {std::string(label), padded(std::move(text), 8), ink_of(role, look), rank};
 }
 
-// "2817 of 3141", "5.9871 of 6", "0.4 < 0.5": green once the value is as expected.
+// "2817 of 3141", "5.9871, expected 6", "0.4 < 0.5": green once the value is as expected.
 HudField check_field(const HudCheck& check, int rank, const Look& look) {
     const std::string value =
         check.is_exact ? fmt::format("{:.8g}", check.value) : fmt::format("{:.5g}", check.value);
     const std::string measured = check.is_exact ? fmt::format("{:.8g}", check.measured)
                                                 : fmt::format("{:.5g}", check.measured);
     const int width = check.is_exact ? columns_of(value) : std::max(7, columns_of(value));
-    return {check.quantity, fmt::format("{:>{}} {} {}", measured, width, check.relation, value),
+    // A measured value is no share of the expected one, as a count is.
+    const std::string relation = check.relation == "of" && !check.is_exact
+                                     ? ", expected"
+                                     : fmt::format(" {}", check.relation);
+    std::string name = check.quantity;
+    std::ranges::replace(name, '_', ' ');
+    return {std::move(name), fmt::format("{:>{}}{} {}", measured, width, relation, value),
             ink_of(check.holds ? Role::good : Role::text, look), rank};
 }
 

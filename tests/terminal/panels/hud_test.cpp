@@ -101,7 +101,8 @@ TEST_CASE("expectations come first, and are green once they hold") {
     info.checks = {{.quantity = "collisions", .measured = 2817, .value = 3141, .is_exact = true},
                    {.quantity = "energy", .measured = 1.25, .value = 1.0}};
     const std::string text = drawn(info, 160, 24);
-    CHECK(text.find(" collisions 2817 of 3141  energy    1.25 of 1  KE") != std::string::npos);
+    CHECK(text.find(" collisions 2817 of 3141  energy    1.25, expected 1  KE") !=
+          std::string::npos);
     CHECK(text.find("4711") == std::string::npos);  // not repeated
     CHECK(drawn(info, 80, 24).find(" collisions 2817 of 3141  KE") != std::string::npos);
 
