@@ -47,18 +47,20 @@ double error_of(const Lab& shown, const Lab& wanted) {
            (1.0 - hued) * (square(shown.a - wanted.a) + square(shown.b - wanted.b));
 }
 
-// What two neighbours lose of their difference: 0 nothing, 1 all.
-double merging(const Lab& shown, const Lab& other_shown, const Lab& wanted,
-               const Lab& other_wanted) {
+// How two neighbours misrepresent their difference: 1 where they lose all of it, or gain several
+// times as much, as where two dark colours become a dark and a pale one.
+double distortion(const Lab& shown, const Lab& other_shown, const Lab& wanted,
+                  const Lab& other_wanted) {
     constexpr double alike = 0.02;
     const double difference = std::sqrt(squared_distance(wanted, other_wanted));
     if (difference < alike) return 0.0;
     const double kept = std::sqrt(squared_distance(shown, other_shown)) / difference;
-    const double lost = std::max(0.0, 1.0 - kept);
-    return lost * lost;
+    constexpr double most_kept = 2.0;
+    const double wrong = std::min(1.0, std::max(1.0 - kept, kept - most_kept));
+    return wrong > 0.0 ? wrong * wrong : 0.0;
 }
 
-constexpr double merging_weight = 0.003;  // of the mean over the neighbours
+constexpr double distortion_weight = 0.003;  // of the mean over the neighbours
 
 struct Candidates {
     std::array<Lab, color_count> labs;
@@ -80,16 +82,16 @@ std::vector<std::size_t> chosen(std::span<const Lab> wanted,
         std::size_t best = 0;
         double least = HUGE_VAL;
         for (std::size_t i = 0; i < color_count; ++i) {
-            double merged = 0.0;
+            double distorted = 0.0;
             double count = 0.0;
             for (const auto& [first, second] : touching) {
                 if (first != area && second != area) continue;
                 const std::size_t other = first == area ? second : first;
-                merged += merging(labs[i], labs[choice[other]], wanted[area], wanted[other]);
+                distorted += distortion(labs[i], labs[choice[other]], wanted[area], wanted[other]);
                 count += 1.0;
             }
-            const double error =
-                error_of(labs[i], wanted[area]) + merging_weight * merged / std::max(1.0, count);
+            const double error = error_of(labs[i], wanted[area]) +
+                                 distortion_weight * distorted / std::max(1.0, count);
             if (error >= least) continue;
             least = error;
             best = i;

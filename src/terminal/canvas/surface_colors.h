@@ -21,9 +21,9 @@ using Neighbours = std::pair<std::size_t, std::size_t>;
 /// more than lightness and chroma, and a colour that is too vivid is better than a grey one. A
 /// colour that is nearly grey itself has no such hue, and takes the nearest.
 ///
-/// Areas that touch must not merge: what an area loses of its difference from its neighbours, on
-/// average, counts as an error too. The choice starts from the best colour of each, and changes one
-/// area at a time until none gets better.
+/// Areas that touch must not merge, nor differ much more than they should: what an area loses of
+/// its difference from its neighbours, or gains, on average, counts as an error too. The choice
+/// starts from the best colour of each, and changes one area at a time until none gets better.
 ///
 /// Pre: look.has_colors(); both of each pair are less than wanted.size(). Cost: 240 for each area
 /// and neighbour, a few times over.

@@ -87,3 +87,14 @@ TEST_CASE("surfaces: a fairway is no teal, and a lane of pale wood no bright ora
     const std::vector<Color> lane = surface_colors(skittles, woods, look_with(256));
     CHECK(chroma(rgb_of(lane[0])) < 1.2 * chroma(skittles[0]));
 }
+
+TEST_CASE("surfaces: two dark areas do not become a dark and a pale one") {
+    // Of night-vault: the board, the rings around the bumpers, the arrow.
+    const std::array wanted{Rgb{28, 26, 46}, Rgb{40, 34, 74}, Rgb{53, 44, 99}, Rgb{36, 32, 64}};
+    const std::array neighbours{Neighbours{0, 1}, Neighbours{1, 2}, Neighbours{0, 3}};
+    const std::vector<Color> shown = surface_colors(wanted, neighbours, look_with(256));
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        CAPTURE(i);
+        CHECK(lab_of(rgb_of(shown[i])).lightness < lab_of(wanted[i]).lightness + 0.1);
+    }
+}
