@@ -11,14 +11,14 @@
 namespace carom {
 namespace {
 
-constexpr int least_side_columns = 3;  // for the tray
-constexpr int most_side_columns = 5;   // and for the tip
+constexpr int side_columns = 5;  // for the tip and the tray
+constexpr int least_spare = 3;   // columns that the table leaves free; it gives up the rest
 constexpr int strip_rows = 3;
 constexpr int least_pool_rows = 18;   // below, the table needs them all
 constexpr int least_strip_rows = 30;  // of the area, for a strip at its top
 
 bool is_strip(const CellArea& area) {
-    return area.columns > most_side_columns;
+    return area.columns > side_columns;
 }
 
 // A ball as its number on its colour, two columns wide; stripes have white numbers' ground.
@@ -158,10 +158,9 @@ void draw_column(Canvas& canvas, const CellArea& area, const PoolPanel& panel,
                  const Renderer& renderer, double aspect, const Look& look) {
     constexpr int tip_rows = 3;
     int row = area.row;
-    if (panel.tip && area.columns == most_side_columns) {
+    if (panel.tip)
         draw_tip(canvas, {area.column, row, area.columns, tip_rows}, *panel.tip, renderer, aspect,
                  look);
-    }
     row += tip_rows + 1;
     for (const int ball : panel.tray) {
         if (row >= area.row + area.rows) return;
@@ -181,10 +180,9 @@ CellArea cut_pool_panel(CellArea& area, double table_shape, double aspect) {
         return strip;
     }
     const int spare = area.columns - static_cast<int>(table_shape * area.rows * aspect);
-    if (leaves_rows || spare < least_side_columns) return {};
-    const int columns = spare < most_side_columns ? least_side_columns : most_side_columns;
-    area.columns -= columns;
-    return {area.column + area.columns, area.row, columns, area.rows};
+    if (leaves_rows || spare < least_spare) return {};
+    area.columns -= side_columns;
+    return {area.column + area.columns, area.row, side_columns, area.rows};
 }
 
 void draw_pool_panel(Canvas& canvas, const CellArea& area, const PoolPanel& panel,

@@ -15,7 +15,9 @@ TEST_CASE("pool panel: a strip where a table leaves rows free, a column where it
     CHECK(cut_pool_panel(wide, shape, 2.0).column == 95);
     CHECK(wide.columns == 95);
     CellArea narrow{0, 0, 79, 21};
-    CHECK(cut_pool_panel(narrow, shape, 2.0).columns == 3);
+    // Three free columns: the table gives up two more, for the tip.
+    CHECK(cut_pool_panel(narrow, shape, 2.0).columns == 5);
+    CHECK(narrow.columns == 74);
     CellArea small{0, 0, 40, 17};
     CHECK(cut_pool_panel(small, shape, 2.0) == CellArea{});
     CHECK(small == CellArea{0, 0, 40, 17});
