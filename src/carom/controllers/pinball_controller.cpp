@@ -300,7 +300,7 @@ void PinballController::add_hints(const PlayContext& play, std::vector<KeyHelp>&
     if (has_button(scene, Button::nudge_up))
         hint({"nudge-left", "nudge-up", "nudge-right"}, "nudge");
     if (may_join(scene, std::get<PinballState>(play.session.game())))
-        hint({"add-player"}, "another player");
+        hint({"add-player"}, "add a player");
     hint({"demo"}, is_demonstrating() ? "play yourself" : "watch carom play");
 }
 

@@ -133,8 +133,7 @@ void PoolController::add_hints(const PlayContext& play, std::vector<KeyHelp>& hi
     hints.push_back({"arrows", "aim, power"});
     const bool has_pockets = !play.session.scene().pool.pockets.empty();
     hint("next-pot", in_match || !has_pockets ? "next ball" : "next pot");
-    if (!play.terminal.mouse_is_off)
-        hints.push_back({"pull the cue", in_match ? "stroke" : "shoot"});
+    if (!play.terminal.mouse_is_off) hints.push_back({"pull the cue", "shoot"});
     hints.push_back({"shift-arrows", "tip"});
     if (shots && is_new) hint("opponent", in_match ? "practice" : "for real");
     if (in_match) return;

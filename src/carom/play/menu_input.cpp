@@ -88,7 +88,7 @@ Menu::Choice Menu::handle_key(const InputEvent& event) {
 
 void Menu::tell_keys() {
     tell(columns_ < 60 ? "In a game: ? keys, f1 the level"
-                       : "Enter plays. In a game, ? lists the keys, f1 tells of the level.");
+                       : "Enter plays. In a game, ? lists the keys, f1 explains the level.");
 }
 
 // Escape goes back everywhere else, so a press too many must not end the program.

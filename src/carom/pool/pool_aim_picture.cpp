@@ -31,7 +31,7 @@ std::string tip_text(double side, double follow) {
 std::string cut_text(const AimLine& line, const Look& look) {
     if (!line.object) return "";
     const double degrees = std::acos(std::clamp(line.cut_cosine, -1.0, 1.0)) * 180.0 / pi;
-    if (degrees < 0.05) return "full";
+    if (degrees < 0.05) return "full hit";
     const bool is_left = cross(line.to - line.from, line.object_way) > 0.0;
     return fmt::format("cut {:.1f}{} {}", degrees, look.utf8 ? "°" : " deg",
                        is_left ? "left" : "right");

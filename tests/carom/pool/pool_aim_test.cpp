@@ -171,7 +171,7 @@ TEST_CASE("the line of the aim names a ball that must not be hit first") {
     const BallId pink = *std::get<PoolPlay>(session.game()).balls[20];
     aim.aim_at(session, world.balls().position[*index_of(world, pink)]);
     aim.look(session);
-    CHECK(aim.line(session, {}).ends_with("full on the pink"));
+    CHECK(aim.line(session, {}).ends_with("full hit on the pink"));
 }
 
 TEST_CASE("aiming lines end at the cushions and in the pockets, not beyond the table") {

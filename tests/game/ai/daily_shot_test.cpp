@@ -58,7 +58,7 @@ TEST_CASE("the shot of the day: three tries, and each sets the balls up again") 
     for (int attempt = 1; attempt <= 3; ++attempt) {
         CHECK_FALSE(game.state().is_over);
         game.shoot({-0.3, 0.1});
-        CHECK(game.state().message == "The ball stays up.");
+        CHECK(game.state().message == "The ball was not pocketed.");
         const World& world = game.session.world();
         for (std::size_t ball = 0; ball < 2; ++ball)
             CHECK(world.balls().position[*index_of(world, *game.state().balls[ball])] ==

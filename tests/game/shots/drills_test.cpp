@@ -62,7 +62,7 @@ TEST_CASE("drills: what is asked can be done, five times give three stars, a mis
         const char* at;
         const char* why;  // a soft shot into nothing is a miss
     };
-    const char* const up = "Missed: the ball stays up.";
+    const char* const up = "Missed: the ball was not pocketed.";
     for (const Drill& drill :
          {Drill{"drill-stop", "object", up}, Drill{"drill-draw", "object", up},
           Drill{"drill-half-ball", "object", "Missed: the first ball was not hit."},
@@ -110,15 +110,15 @@ TEST_CASE("drills: a miss says why") {
     for (const char* const level : {"drill-stop", "drill-draw"}) {
         CAPTURE(level);
         CHECK(says(level, "Missed: the cue ball fell."));
-        CHECK(says(level, "Missed: the ball stays up."));
+        CHECK(says(level, "Missed: the ball was not pocketed."));
         CHECK(says(level, "Done."));
     }
-    CHECK(says("drill-stop", "Missed: down, but the cue ball ran on."));
-    CHECK(says("drill-stop", "Missed: down, but the cue ball came back."));
-    CHECK_FALSE(says("drill-stop", "Missed: down, but the cue ball ran aside."));
-    CHECK(says("drill-draw", "Missed: down, but the cue ball did not reach the other."));
+    CHECK(says("drill-stop", "Missed: pocketed, but the cue ball ran on."));
+    CHECK(says("drill-stop", "Missed: pocketed, but the cue ball came back."));
+    CHECK_FALSE(says("drill-stop", "Missed: pocketed, but the cue ball ran aside."));
+    CHECK(says("drill-draw", "Missed: pocketed, but the cue ball did not reach the other."));
     CHECK(says("drill-half-ball", "Missed: off the first ball, past the third."));
-    CHECK(says("drill-rail", "Missed: the ball stays up."));
+    CHECK(says("drill-rail", "Missed: the ball was not pocketed."));
 }
 
 TEST_CASE("drills: of five cuts each pot counts, from where the cue ball stops") {
