@@ -104,7 +104,7 @@ void paint_end(Raster& raster, const View& view, Vec2 place, bool is_pocketed, d
 }
 
 constexpr Rgb24 shaft_color = 0xd9b382;
-constexpr Rgb24 butt_color = 0x4a2413;
+constexpr Rgb24 butt_color = 0x2a120a;
 constexpr Rgb24 ferrule_color = 0xf3efe2;
 
 // A cue that grows thicker from its tip to its butt: the shaft of maple, the butt dark.
