@@ -50,7 +50,9 @@ void add_pool_title(const Session& session, const PlayerNames& names,
         // How the game ended says more than that it has.
         if (shots.is_over && !task.empty() && info.title == "the game is over") info.title.clear();
         if (!task.empty()) info.title += (info.title.empty() ? "" : "   ") + task;
-        if (task == goal_text(session.scene().rules, shots.goal)) info.goal.clear();
+        // Once is enough.
+        if (!task.empty() && task == goal_text(session.scene().rules, shots.goal))
+            info.goal.clear();
         return;
     }
     info.title =

@@ -329,6 +329,17 @@ TEST_CASE("an undone shot and another try begin with the aim of the shot before"
     CHECK(at_drill.sees("2.20 m/s"));
 }
 
+TEST_CASE("the first line of a game of shots says what to do, once") {
+    // By a task and a goal, by a goal alone, by neither.
+    CHECK(test::PersonAtWindow(session_of("drill-stop"), 120, 36)
+              .sees("MISSED 0  Five tries: pocket the ball, and stop dead."));
+    test::PersonAtWindow puzzle(session_of("puzzle-01"), 120, 36);
+    CHECK(puzzle.sees("Clear the table. (0 of 3 shots; 1 for 3 stars)"));
+    CHECK_FALSE(puzzle.sees("Clear the table in one shot."));
+    CHECK(test::PersonAtWindow(session_of("bumper-pool"), 120, 36)
+              .sees("Your five balls into the far hole"));
+}
+
 TEST_CASE("after a game of shots, arrow keys do not pan the table, and the result is shown") {
     test::PersonAtWindow person(session_of("puzzle-01"), 80, 24);
     CHECK(person.sees("Straight in"));
