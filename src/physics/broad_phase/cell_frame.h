@@ -27,8 +27,10 @@ struct CellFrame {
 
     int column_unbounded(double x) const { return whole((x - origin.x) / cell.x); }
     int row_unbounded(double y) const { return whole((y - origin.y) / cell.y); }
-    int column(double x) const { return bounded(column_unbounded(x), columns); }
-    int row(double y) const { return bounded(row_unbounded(y), rows); }
+    [[gnu::always_inline]] int column(double x) const {
+        return bounded(column_unbounded(x), columns);
+    }
+    [[gnu::always_inline]] int row(double y) const { return bounded(row_unbounded(y), rows); }
     std::uint32_t index(int column, int row) const {
         return static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(columns) +
                static_cast<std::uint32_t>(column);

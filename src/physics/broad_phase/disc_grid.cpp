@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "physics/memory/prefetch.h"
+#include "physics/memory/zeros.h"
 
 namespace carom {
 namespace {
@@ -156,7 +157,7 @@ void DiscGrid::choose_levels(std::span<const Vec2> centers, std::span<const doub
         level.first = first;
         first += level.cells();
     }
-    start_.assign(first + 1, 0);
+    assign_zeros(start_, first + 1);
 }
 
 const CellFrame& DiscGrid::frame_for(Kept& kept, const Level& level, bool wraps) const {
@@ -216,7 +217,7 @@ void DiscGrid::build(std::span<const Vec2> centers, std::span<const double> radi
     if (centers.empty()) {
         levels_.assign(1, Level{});
         levels_[0].stride = 2;
-        start_.assign(levels_[0].cells() + 1, 0);
+        assign_zeros(start_, levels_[0].cells() + 1);
         return;
     }
     choose_levels(centers, radii, margin, torus);

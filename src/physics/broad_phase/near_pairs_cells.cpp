@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/memory/zeros.h"
+
 // How NearPairs sorts balls into levels and cells.
 namespace carom {
 namespace {
@@ -64,7 +66,7 @@ void NearPairs::sort_into_levels(const World& world, const Regions& regions) {
     }
     for (std::uint8_t& l : level_)
         l = number[l];
-    placed_.start.assign(cells + 1, 0);
+    assign_zeros(placed_.start, cells + 1);
     frame_ = levels_[0].frame;
 }
 
@@ -120,7 +122,7 @@ void NearPairs::take_out(std::span<const std::uint32_t> moved) {
 void NearPairs::sort_loose(const World& world, const Regions& regions) {
     const CellFrame& frame = levels_[used_ - 1].frame;
     std::vector<std::uint32_t>& start = placed_loose_.start;
-    start.assign(frame.count() + 1, 0);
+    assign_zeros(start, frame.count() + 1);
     for (const std::uint32_t ball : loose_) {
         const Vec2 at = regions.center[ball];
         cell_[ball] = frame.index(frame.column(at.x), frame.row(at.y));

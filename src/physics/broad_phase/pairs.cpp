@@ -4,6 +4,7 @@
 
 #include "geometry/closest.h"
 #include "physics/memory/prefetch.h"
+#include "physics/memory/zeros.h"
 
 namespace carom {
 
@@ -30,7 +31,7 @@ void PairOrder::sort(std::vector<BallPair>& pairs, std::size_t balls) {
     int shift = 0;
     while (balls >> shift > 2 * pairs.size())
         ++shift;
-    start_.assign((balls >> shift) + 1, 0);
+    assign_zeros(start_, (balls >> shift) + 1);
     for (const BallPair& pair : pairs)
         ++start_[pair.first >> shift];
     std::uint32_t end = 0;
@@ -50,7 +51,7 @@ void PairOrder::sort(std::vector<BallPair>& pairs, std::size_t balls) {
 }
 
 void BallAdjacency::build(std::span<const BallPair> pairs, std::size_t balls) {
-    start_.assign(balls + 2, 0);
+    assign_zeros(start_, balls + 2);
     for (const BallPair& pair : pairs) {
         ++start_[pair.first + 2];
         ++start_[pair.second + 2];

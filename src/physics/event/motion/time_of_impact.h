@@ -51,9 +51,11 @@ Real rounding_of_approach(const Real& speeds, const Real& small, const Real& pre
 /// speeds, `bound` that of their accelerations, `small` the smaller radius, `pressing` that of the
 /// Field, `height` one of the rest heights of tolerances.h.
 template <typename Real>
-ToiTolerance<Real> tolerance(const Vector<Real>& position, const Real& reach, const Real& speeds,
-                             const Real& bound, const Real& small, const Real& pressing,
-                             double height = rest_height) {
+[[gnu::always_inline]] inline ToiTolerance<Real> tolerance(const Vector<Real>& position,
+                                                           const Real& reach, const Real& speeds,
+                                                           const Real& bound, const Real& small,
+                                                           const Real& pressing,
+                                                           double height = rest_height) {
     const Real rounding = rounding_of_approach(speeds, small, pressing);
     const Real rest_speed =
         bound > Real{} ? square_root(Real(2.0 * height) * bound * small) : Real{};
