@@ -1,20 +1,18 @@
 // The file is long since it is one writer: the statements of a level in their order, which share
-// the names of kinds and materials.
+// the names of kinds and materials. edge_lines.h finds what each line of edges states.
 
 #include "game/session/save_level.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "game/referees/referee.h"
+#include "game/session/edge_lines.h"
 #include "game/session/written_numbers.h"
 #include "geometry/elementary.h"
 #include "level/text/joined.h"
 #include "level/values/color_names.h"
-#include "physics/laws/curve.h"
 #include "physics/tick/totals.h"
 
 namespace carom {
@@ -141,100 +139,31 @@ class LevelWriter {
         return of ? fmt::format(" {}={}", key, color_text(*of)) : "";
     }
 
-    std::optional<Rgb24> color_of_edge(std::size_t i) const {
-        return color_in(dress_.edges, number(world_.capsules().id[i]));
-    }
-
-    Side side_of(std::size_t i) const {
-        return world_.capsules().side.empty() ? Side::both : world_.capsules().side[i];
-    }
-
-    std::string_view group_of(CapsuleId id) const {
-        for (const Group& group : scene_.groups)
-            if (std::ranges::binary_search(group.capsules, id)) return group.name;
-        return {};
-    }
-
-    /// Whether capsule i continues smoothly in `next`.
-    bool is_joined(std::size_t i, std::size_t next) const {
-        const Capsules& capsules = world_.capsules();
-        return !capsules.joints.empty() && capsules.joints[i][1] == capsules.id[next];
-    }
-
-    /// Whether capsule i has smooth joints that only a smooth line gives it.
-    bool is_curved(std::size_t i) const {
-        return (continues_line(i) && is_joined(i, i + 1)) ||
-               (i > 0 && continues_line(i - 1) && is_joined(i - 1, i));
-    }
-
-    /// Whether the loader makes the joint of the two smooth or not as it is now, if the line that
-    /// they are in is smooth or not.
-    bool keeps_joint(std::size_t i, std::size_t next, bool is_smooth) const {
-        const Capsules& capsules = world_.capsules();
-        const Capsule& shape = capsules.shape[i];
-        const bool becomes_one = is_smooth && can_join(shape, capsules.shape[next], shape.end);
-        return becomes_one == is_joined(i, next);
-    }
-
-    /// Whether capsule i + 1 continues where capsule i ends, as one line.
-    bool continues_line(std::size_t i) const {
-        const Capsules& capsules = world_.capsules();
-        if (i + 1 >= capsules.size()) return false;
-        const Capsule& a = capsules.shape[i];
-        const Capsule& b = capsules.shape[i + 1];
-        return a.end == b.start && !(a.start == a.end) && !(b.start == b.end) &&
-               a.radius == b.radius && capsules.material[i] == capsules.material[i + 1] &&
-               side_of(i) == side_of(i + 1) && color_of_edge(i) == color_of_edge(i + 1) &&
-               group_of(capsules.id[i]) == group_of(capsules.id[i + 1]);
-    }
-
-    bool is_outline(std::size_t first, std::size_t last) const {
-        const Capsules& capsules = world_.capsules();
-        if (last - first < 2 || !(capsules.shape[first].start == capsules.shape[last].end))
-            return false;
-        return std::ranges::any_of(scene_.outlines, [&](const std::vector<CapsuleId>& outline) {
-            return std::ranges::equal(outline,
-                                      std::span(capsules.id).subspan(first, last - first + 1));
-        });
-    }
-
     void edges() {
-        for (std::size_t first = 0; first < world_.capsules().size();) {
-            const bool is_smooth = is_curved(first);
-            std::size_t last = first;
-            while (continues_line(last) && !ends_outline(first, last) &&
-                   is_curved(last + 1) == is_smooth && keeps_joint(last, last + 1, is_smooth))
-                ++last;
-            edge(first, last, is_smooth);
-            first = last + 1;
-        }
+        for (const EdgeLine& edge_line : edge_lines(scene_, world_))
+            edge(edge_line);
     }
 
-    bool ends_outline(std::size_t first, std::size_t last) const {
-        return world_.capsules().shape[first].start == world_.capsules().shape[last].end;
-    }
-
-    void edge(std::size_t first, std::size_t last, bool is_smooth) {
+    void edge(const EdgeLine& of) {
         const Capsules& capsules = world_.capsules();
-        const Capsule& shape = capsules.shape[first];
-        const std::string_view group = group_of(capsules.id[first]);
-        const std::string names =
-            materials_[capsules.material[first]] + (group.empty() ? "" : " ") + std::string(group);
+        const Capsule& shape = capsules.shape[of.first];
+        const std::string_view group = group_of_edge(scene_, capsules.id[of.first]);
+        const std::string names = materials_[capsules.material[of.first]] +
+                                  (group.empty() ? "" : " ") + std::string(group);
+        const std::string painted = color(color_of_edge(scene_, world_, of.first));
         if (shape.start == shape.end)
-            return line("peg {} at={} r={}{}", names, place(shape.start), shape.radius,
-                        color(color_of_edge(first)));
+            return line("peg {} at={} r={}{}", names, place(shape.start), shape.radius, painted);
         // A drop target that is down is written as a standing one.
         constexpr std::string_view sides[] = {"", " side=left", " side=right", ""};
-        text_ += fmt::format("edge {} r={}{}{} {}", names, shape.radius,
-                             sides[static_cast<std::size_t>(side_of(first))],
-                             color(color_of_edge(first)), place(shape.start));
-        const bool closes = is_outline(first, last) && keeps_joint(last, first, is_smooth);
-        for (std::size_t i = first; i <= last - (closes ? 1 : 0); ++i) {
-            if ((i - first) % points_a_line == points_a_line - 1) text_ += " \\\n   ";
+        const auto side = static_cast<std::size_t>(side_of_edge(world_, of.first));
+        text_ += fmt::format("edge {} r={}{}{} {}", names, shape.radius, sides[side], painted,
+                             place(shape.start));
+        for (std::size_t i = of.first; i <= of.last - (of.closes ? 1 : 0); ++i) {
+            if ((i - of.first) % points_a_line == points_a_line - 1) text_ += " \\\n   ";
             text_ += " " + place(capsules.shape[i].end);
         }
-        if (is_smooth) text_ += " smooth";
-        text_ += closes ? " close\n" : "\n";
+        if (of.is_smooth) text_ += " smooth";
+        text_ += of.closes ? " close\n" : "\n";
     }
 
     void motions() {
@@ -246,8 +175,8 @@ class LevelWriter {
     void motion(const Mover& mover, std::size_t number_of) {
         std::vector<std::string_view> names{scene_.mover_names[number_of]};
         for (const MovedEdge& edge : mover.edges)
-            if (!std::ranges::count(names, group_of(edge.capsule)))
-                names.push_back(group_of(edge.capsule));
+            if (!std::ranges::count(names, group_of_edge(scene_, edge.capsule)))
+                names.push_back(group_of_edge(scene_, edge.capsule));
         const bool turns = mover.path.empty();
         const bool slides = !mover.is_round && mover.path.size() == 2;
         text_ += fmt::format("motion {} {}",
@@ -273,7 +202,7 @@ class LevelWriter {
 
     void seesaws() {
         for (const Seesaw& seesaw : world_.seesaws()) {
-            text_ += fmt::format("seesaw {} about={} m={}", group_of(seesaw.capsule),
+            text_ += fmt::format("seesaw {} about={} m={}", group_of_edge(scene_, seesaw.capsule),
                                  place(seesaw.pivot), with_unit(mass_of_seesaw(seesaw), "kg"));
             if (std::isfinite(seesaw.least)) text_ += " from=" + angle(seesaw.least);
             if (std::isfinite(seesaw.most)) text_ += " to=" + angle(seesaw.most);
