@@ -38,7 +38,7 @@ class Carom {
 
   private:
     std::uint64_t collisions() const {
-        return world_.ball_ball_collisions() + world_.ball_edge_collisions();
+        return world_.ledger().ball_ball_collisions + world_.ledger().ball_edge_collisions;
     }
 
     carom::World world_;

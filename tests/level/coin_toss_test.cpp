@@ -22,7 +22,7 @@ TEST_SUITE("long") {
             Solver solver({.kind = SolverKind::event});
             while (world.time() < 123.0)
                 solver.tick(world);
-            const auto& bins = world.counters();
+            const auto& bins = world.ledger().counters;
             REQUIRE(bins.size() == 13);
             const double count =
                 static_cast<double>(std::accumulate(bins.begin(), bins.end(), std::uint64_t{0}));

@@ -214,7 +214,7 @@ TEST_CASE("a real impact on an arc bounces off the arc, not off its pieces") {
                                      "to=360\nball at={},0 v=0,-20 e=0.5\n",
                                      aim.x));
             Solver solver({.kind = bound.kind});
-            while (world.ball_edge_collisions() == 0)
+            while (world.ledger().ball_edge_collisions == 0)
                 solver.tick(world);
             const Vec2 normal = -aim / length(aim);
             const Vec2 along = perpendicular(normal);

@@ -71,7 +71,7 @@ TEST_CASE("a Galton board loads with its emitter, bins and experiment") {
     CHECK(world.zones()[0].counter == 0);
     CHECK(world.zones()[0].shape.start.x < world.zones()[12].shape.start.x);
     CHECK(world.zones()[6].shape.start.x == 0.0);
-    CHECK(world.counters().size() == 13);
+    CHECK(world.ledger().counters.size() == 13);
     REQUIRE(world.emitters().size() == 1);
     CHECK(world.emitters()[0].every == 0.05);
     CHECK(world.emitters()[0].count == 3000);

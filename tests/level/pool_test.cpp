@@ -130,8 +130,9 @@ TEST_CASE("after a hard break, every ball is on the table or in a pocket") {
                 if (std::ranges::none_of(world.balls().velocity, moves)) break;
             }
             CHECK(std::ranges::none_of(world.balls().velocity, moves));
-            CHECK(world.balls().size() + world.removed().size() == scene.world.balls().size());
-            pocketed += world.removed().size();
+            CHECK(world.balls().size() + world.ledger().removed.size() ==
+                  scene.world.balls().size());
+            pocketed += world.ledger().removed.size();
             for (const Vec2 place : world.balls().position) {
                 CHECK(std::abs(place.x) < 1.27 + 0.06);
                 CHECK(std::abs(place.y) < 0.635 + 0.06);

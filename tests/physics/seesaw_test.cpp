@@ -152,7 +152,7 @@ TEST_CASE("seesaw: elastic impacts keep energy and angular momentum") {
             const double energy = totals(world).energy();
             const double turn = angular_momentum(world);
             run_for(world, solver, 4.0);
-            CHECK(world.ball_edge_collisions() >= 5);
+            CHECK(world.ledger().ball_edge_collisions >= 5);
             CHECK(std::fabs(totals(world).energy() - energy) < 1e-12 * energy);
             CHECK(std::fabs(angular_momentum(world) - turn) < 1e-12 * energy);
         }
@@ -173,7 +173,7 @@ TEST_CASE("seesaw: losses and friction keep angular momentum, and give no energy
                 CHECK(now <= energy * (1.0 + 1e-13));
                 energy = now;
             }
-            CHECK(world.ball_edge_collisions() >= 5);
+            CHECK(world.ledger().ball_edge_collisions >= 5);
             CHECK(std::fabs(angular_momentum(world) - turn) < 1e-11 * energy);
         }
 }

@@ -154,10 +154,10 @@ TEST_CASE("event: elastic balls that drag or friction stops collide less than on
         Solver solver({.kind = SolverKind::event});
         for (int tick = 0; tick < 9 * 120; ++tick)
             solver.tick(world);
-        const std::uint64_t before = world.ball_ball_collisions();
+        const std::uint64_t before = world.ledger().ball_ball_collisions;
         for (int tick = 0; tick < 120; ++tick)
             solver.tick(world);
-        return world.ball_ball_collisions() - before;
+        return world.ledger().ball_ball_collisions - before;
     };
     // One for each ball in a tick.
     const std::uint64_t most = 12 * 120;

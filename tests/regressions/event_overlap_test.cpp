@@ -33,7 +33,7 @@ TEST_CASE("event: balls that fly together under drag meet, however slowly") {
     Solver solver({.kind = SolverKind::event});
     for (int tick = 0; tick < 240; ++tick)
         solver.tick(world);
-    CHECK(world.ball_ball_collisions() > 0);
+    CHECK(world.ledger().ball_ball_collisions > 0);
     CHECK(deepest_overlap(world) < 1e-5);
 }
 

@@ -146,7 +146,7 @@ TEST_CASE("event: a ball pushed over the seam of a torus meets the ball there") 
     world.edit_balls().velocity[0].x = 1.0;
     for (int tick = 0; tick < 240; ++tick)
         solver.tick(world);
-    CHECK(world.ball_ball_collisions() == 1);
+    CHECK(world.ledger().ball_ball_collisions == 1);
 }
 
 TEST_CASE("event: a snapshot continues with the same bits if balls are placed inside each other") {

@@ -29,7 +29,7 @@ TEST_CASE("event: a ball that has circled a torus hundreds of times still meets 
         const Vec2 slow{2.0, 9.0 - contacts[0].time};
         CHECK(length(contacts[0].point - slow) == doctest::Approx(0.5).epsilon(1e-6));
         // The rows of the two overlap from the third second to the fifth.
-        CHECK(world.ball_ball_collisions() > 0);
+        CHECK(world.ledger().ball_ball_collisions > 0);
         CHECK(length_squared(world.balls().velocity[0]) +
                   length_squared(world.balls().velocity[1]) ==
               doctest::Approx(energy).epsilon(1e-12));

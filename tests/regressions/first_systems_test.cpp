@@ -34,7 +34,7 @@ TEST_CASE("each pair has one contact, not two") {
         Solver solver({.kind = kind});
         solver.tick(world);
         CHECK(solver.contacts().size() == 1);
-        CHECK(world.ball_ball_collisions() == 1);
+        CHECK(world.ledger().ball_ball_collisions == 1);
         // With two contacts the balls would exchange velocities twice, and not bounce at all.
         CHECK(world.balls().velocity[0].x == doctest::Approx(-2.0));
     }
@@ -77,7 +77,7 @@ TEST_CASE("balls do not stick together after a bounce") {
         add_ball(world, {.position = {0, 0}, .velocity = {30, 1}});
         add_ball(world, {.position = {5, 0.7}, .velocity = {-20, 0}});
         run(world, kind, 60);
-        CHECK(world.ball_ball_collisions() == 1);
+        CHECK(world.ledger().ball_ball_collisions == 1);
         CHECK(distance(world.balls().position[0], world.balls().position[1]) > 10.0);
     }
 }
@@ -107,7 +107,7 @@ TEST_CASE(
         add_ball(world, {.position = {0, 0}, .velocity = {}, .radius = 15});
         add_ball(world, {.position = {29.999999999999996, 0}, .velocity = {}, .radius = 15});
         run(world, kind, 100);
-        CHECK(world.ball_ball_collisions() == 0);
+        CHECK(world.ledger().ball_ball_collisions == 0);
         CHECK(world.balls().velocity[0] == Vec2{});
         CHECK(world.balls().position[0].x == doctest::Approx(0.0));
     }

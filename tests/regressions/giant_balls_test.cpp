@@ -26,14 +26,14 @@ TEST_CASE("event: a small ball comes to rest on an oversized ball") {
     Solver solver({.kind = SolverKind::event});
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
-    const std::uint64_t bounces = world.ball_ball_collisions();
+    const std::uint64_t bounces = world.ledger().ball_ball_collisions;
     CHECK(bounces > 5);
     REQUIRE(event_memory(world).trajectories.lines.size() == 2);
     CHECK(event_memory(world).trajectories.lines[1].motion == Motion::resting);
     CHECK(world.balls().position[1].y == doctest::Approx(201.0).epsilon(1e-12));
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
-    CHECK(world.ball_ball_collisions() == bounces);
+    CHECK(world.ledger().ball_ball_collisions == bounces);
 }
 
 // A large ball meets two small ones at once, with and without the seam of the torus between it and
@@ -51,7 +51,7 @@ TEST_CASE("event: a large ball meets two small ones at once across the seam of a
         Solver solver({.kind = SolverKind::event});
         for (int i = 0; i < 240; ++i)
             solver.tick(world);
-        CHECK(world.ball_ball_collisions() == 2);
+        CHECK(world.ledger().ball_ball_collisions == 2);
         return world;
     };
     const World whole = after(0.0);
@@ -95,6 +95,6 @@ TEST_CASE("event: oversized balls that cross a torus several times in a search m
         }
         CHECK(overlap < 1e-9);
         CHECK(fingerprint(world) == fingerprint(again));
-        CHECK(world.ball_ball_collisions() > 50);
+        CHECK(world.ledger().ball_ball_collisions > 50);
     }
 }

@@ -122,7 +122,7 @@ void Companion::draw(Canvas& canvas, const Session& session, Camera camera,
                memory_);
     const auto title = [](const SolverSettings& solver, const World& world) {
         return HalfTitle{solver_text(solver), world.tick(),
-                         world.ball_ball_collisions() + world.ball_edge_collisions()};
+                         world.ledger().ball_ball_collisions + world.ledger().ball_edge_collisions};
     };
     draw_split(canvas, split_, title(session.solver(), own), title(comparison_->solver(), other),
                view.look);

@@ -174,9 +174,10 @@ void draw_game(PlayContext& play, Canvas& canvas, double aspect) {
                options, play.view.memory);
     const bool is_split = play.companion.comparison().has_value();
     if (counts_collisions(session.scene()) && !is_split)
-        draw_large_count(
-            canvas, camera.area,
-            fmt::format("{}", world.ball_ball_collisions() + world.ball_edge_collisions()), look);
+        draw_large_count(canvas, camera.area,
+                         fmt::format("{}", world.ledger().ball_ball_collisions +
+                                               world.ledger().ball_edge_collisions),
+                         look);
     if (is_split)
         play.companion.draw(canvas, session, camera, play.view.selected, play.view.options);
     play.panels.draw(canvas, session, play.observation->observer(), camera, look);

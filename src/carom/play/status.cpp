@@ -160,7 +160,7 @@ void add_world(const PlayContext& play, HudInfo& info) {
     info.terms = terms_in_force(world.model());
     info.balls = world.balls().size();
     info.clustered = event_memory(world).clustered.size();
-    info.collisions = world.ball_ball_collisions() + world.ball_edge_collisions();
+    info.collisions = world.ledger().ball_ball_collisions + world.ledger().ball_edge_collisions;
     info.checks = checks_of(play);
 }
 

@@ -64,7 +64,6 @@ class PoolAim {
     /// Declares a safety or a push-out, or withdraws it. Returns a description of the declaration.
     std::string next_call(const Session& session);
     std::string next_aids(const Session& session);
-    Aids aids() const { return setup_.aids; }
 
     const ShotSetup& setup() const { return setup_; }
     /// Restores a shot setup in the present turn; values that do not fit the level are replaced.

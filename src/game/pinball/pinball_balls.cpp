@@ -203,14 +203,14 @@ void begin_game_again(Pinball game) {
 
 void count_drained(Pinball game) {
     PinballState& state = game.state;
-    const std::uint64_t gone = game.world.removed().size() - state.removals_seen;
-    for (std::uint64_t i = state.removals_seen; i < game.world.removed().size(); ++i) {
-        const std::int32_t zone = game.world.removed()[static_cast<std::size_t>(i)].zone;
+    const std::uint64_t gone = game.world.ledger().removed.size() - state.removals_seen;
+    for (std::uint64_t i = state.removals_seen; i < game.world.ledger().removed.size(); ++i) {
+        const std::int32_t zone = game.world.ledger().removed[static_cast<std::size_t>(i)].zone;
         for (std::uint32_t d = 0; d < game.table().devices.size() && zone >= 0; ++d)
             if (game.table().devices[d].zone == static_cast<std::uint32_t>(zone))
                 apply_rules(game, d, RuleEvent::enter);
     }
-    state.removals_seen = game.world.removed().size();
+    state.removals_seen = game.world.ledger().removed.size();
     state.drained += gone;
     for (std::uint64_t i = 0; i < gone; ++i)
         apply_rules(game, RuleEvent::drain);

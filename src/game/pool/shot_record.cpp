@@ -75,10 +75,10 @@ void note_contacts(const Scene& scene, const World& world, PoolPlay& play,
 }
 
 void note_pocketed(const Scene& scene, const World& world, PoolPlay& play) {
-    auto removal = world.removed().end();
-    while (removal != world.removed().begin() && std::prev(removal)->tick == world.tick())
+    auto removal = world.ledger().removed.end();
+    while (removal != world.ledger().removed.begin() && std::prev(removal)->tick == world.tick())
         --removal;
-    for (; removal != world.removed().end(); ++removal) {
+    for (; removal != world.ledger().removed.end(); ++removal) {
         const auto ball = number_of(play, removal->id);
         if (!ball || removal->zone < 0) continue;
         const auto pocket =

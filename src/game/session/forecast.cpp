@@ -26,8 +26,8 @@ void extend_tracks(Forecast& ahead) {
 }
 
 void end_tracks(Forecast& ahead, std::size_t removals_before) {
-    for (std::size_t i = removals_before; i < ahead.world.removed().size(); ++i) {
-        const Removal& removal = ahead.world.removed()[i];
+    for (std::size_t i = removals_before; i < ahead.world.ledger().removed.size(); ++i) {
+        const Removal& removal = ahead.world.ledger().removed[i];
         const auto track = std::ranges::find(ahead.tracks, removal.id, &Forecast::Track::ball);
         if (track == ahead.tracks.end() || removal.zone < 0) continue;
         track->zone = static_cast<std::uint32_t>(removal.zone);
@@ -61,7 +61,7 @@ Forecast forecast(const Scene& scene, const World& world, const GameState& game,
     ahead.game = game;
     execute(scene, ahead.world, ahead.game, strike);
     if (tracks == Tracks::all) begin_tracks(ahead);
-    const std::size_t removals = world.removed().size();
+    const std::size_t removals = world.ledger().removed.size();
     const auto ticks = static_cast<std::uint64_t>(seconds * world.rate());
     for (std::uint64_t tick = 0; tick < ticks && (!ahead.comes_to_rest || is_settling(ahead.game));
          ++tick) {

@@ -127,7 +127,7 @@ void happen_at_places(ShotsPlay& play) {
 }
 
 void happen_at_pockets(ShotsPlay& play) {
-    const std::vector<Removal>& removed = play.world.removed();
+    const std::vector<Removal>& removed = play.world.ledger().removed;
     std::size_t first = removed.size();
     while (first > 0 && removed[first - 1].tick == play.world.tick())
         --first;

@@ -136,8 +136,8 @@ PinballGames play_pinball(const Scene& scene, const SolverSettings& settings, st
         solver.tick(world);
         update_game(scene, world, game, solver.contacts());
         if (is_outside(world, table)) ++games.outside;
-        for (; removals < world.removed().size(); ++removals) {
-            const Removal& gone = world.removed()[removals];
+        for (; removals < world.ledger().removed.size(); ++removals) {
+            const Removal& gone = world.ledger().removed[removals];
             if (gone.zone < 0) continue;
             ++games.drains[static_cast<std::size_t>(watch.of(gone.id))];
             if (state.phase == Phase::playing && gone.tick <= state.save_until) ++games.saved;

@@ -49,7 +49,7 @@ void write_balls(JsonWriter& json, const Scene& scene, const World& world) {
 void write_removed(JsonWriter& json, const Scene& scene, const World& world) {
     json.key("removed");
     json.begin_list(Layout::lines);
-    for (const Removal& removal : world.removed()) {
+    for (const Removal& removal : world.ledger().removed) {
         json.begin_object(Layout::one_line);
         json.field("id", std::uint64_t{number(removal.id)});
         json.field("name", name_at(scene.ball_names, number(removal.id)));
@@ -200,8 +200,8 @@ std::string report_json(std::string_view level, const Scene& scene, const World&
     write_totals(json, "totals", totals(world));
     json.key("collisions");
     json.begin_object(Layout::one_line);
-    json.field("ball_ball", world.ball_ball_collisions());
-    json.field("ball_edge", world.ball_edge_collisions());
+    json.field("ball_ball", world.ledger().ball_ball_collisions);
+    json.field("ball_edge", world.ledger().ball_edge_collisions);
     json.end_object();
     for (const Figure& figure : figures())
         if (figure.is_in_run) write_figure(json, figure, record.watch.value(figure, world));

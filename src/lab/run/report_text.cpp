@@ -98,8 +98,8 @@ std::string summary(const Scene& scene, const World& world, const RunRecord& rec
         "{}{}"
         "fingerprint {}\n",
         scene.title.empty() ? scene.file : scene.title, world.time(), world.tick(),
-        solvers_of(record), seconds, world.balls().size(), world.removed().size(),
-        world.ball_ball_collisions(), world.ball_edge_collisions(), start, end,
+        solvers_of(record), seconds, world.balls().size(), world.ledger().removed.size(),
+        world.ledger().ball_ball_collisions, world.ledger().ball_edge_collisions, start, end,
         change_of(start, end), summary_of_figures(record, world), summary_of_game(record),
         hexadecimal(fingerprint(world)));
 }

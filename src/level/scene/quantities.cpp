@@ -21,13 +21,16 @@ double counted(std::uint64_t count) {
 constexpr std::array<QuantityRow, 33> rows{{
     {.name = "collisions",
      .meaning = "of balls with balls and with edges, so far",
-     .of_world = [](W w) { return counted(w.ball_ball_collisions() + w.ball_edge_collisions()); }},
+     .of_world =
+         [](W w) {
+             return counted(w.ledger().ball_ball_collisions + w.ledger().ball_edge_collisions);
+         }},
     {.name = "ball_ball",
      .meaning = "collisions of balls with balls",
-     .of_world = [](W w) { return counted(w.ball_ball_collisions()); }},
+     .of_world = [](W w) { return counted(w.ledger().ball_ball_collisions); }},
     {.name = "ball_edge",
      .meaning = "collisions of balls with edges",
-     .of_world = [](W w) { return counted(w.ball_edge_collisions()); }},
+     .of_world = [](W w) { return counted(w.ledger().ball_edge_collisions); }},
     {.name = "kinetic_energy",
      .meaning = "of all balls",
      .dimension = energy_dimension,
@@ -84,7 +87,7 @@ constexpr std::array<QuantityRow, 33> rows{{
      .of_world = [](W w) { return counted(w.balls().size()); }},
     {.name = "removed",
      .meaning = "balls that were removed",
-     .of_world = [](W w) { return counted(w.removed().size()); }},
+     .of_world = [](W w) { return counted(w.ledger().removed.size()); }},
     {.name = "x",
      .meaning = "of a ball",
      .scope = ball,

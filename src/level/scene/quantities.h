@@ -64,7 +64,7 @@ using QuantityKind = const QuantityRow*;
 struct Quantity {
     QuantityKind kind = nullptr;
     BallId ball{};  ///< of scope `ball`
-    /// Of scope `bins`: indices into World::counters, from left to right ...
+    /// Of scope `bins`: indices into Ledger::counters, from left to right ...
     std::vector<std::uint32_t> counters;
     /// ... and the expected share of each, for variance_ratio and chi_square: from the level's
     /// `show histogram` of the same bins, else the binomial distribution of fair tosses.

@@ -28,7 +28,7 @@ struct Show {
     enum class What : std::uint8_t { histogram, energy, observable };
     What what = What::histogram;
     Observable observable{};  ///< of What::observable
-    /// Histogram: its bins from left to right, as indices into World::counters.
+    /// Histogram: its bins from left to right, as indices into Ledger::counters.
     std::vector<std::uint32_t> counters;
     std::string of;
     /// Histogram: the expected share of each bin; empty: no curve.
@@ -111,7 +111,7 @@ struct Scene {
     std::vector<std::string> material_names;  ///< by World::materials
     std::vector<std::string> zone_names;      ///< by World::zones
     std::vector<std::string> mover_names;     ///< by World::movers
-    std::vector<std::string> counter_names;   ///< by World::counters
+    std::vector<std::string> counter_names;   ///< by Ledger::counters
     std::vector<Group> groups;
     /// The capsules of each closed edge and box, in order. A ball outside the outline in which it
     /// started has escaped.

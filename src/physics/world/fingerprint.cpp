@@ -89,7 +89,7 @@ std::uint64_t fingerprint_2(const World& world) {
     add_kinematic_bodies(hash, world);
     for (const Emitter& emitter : world.emitters())
         hash.add(emitter.emitted);
-    hash.add(world.counters());
+    hash.add(world.ledger().counters);
     world.memory().add_to(hash, world.model(), 2);
     return hash.state();
 }
@@ -127,7 +127,7 @@ std::uint64_t fingerprint_1(const World& world) {
     }
     for (const Emitter& emitter : world.emitters())
         hash.add(std::uint64_t{emitter.emitted});
-    for (const std::uint64_t count : world.counters())
+    for (const std::uint64_t count : world.ledger().counters)
         hash.add(count);
     for (const HeldBall& held : world.held_balls()) {
         hash.add(std::uint64_t{number(held.id)});

@@ -113,7 +113,8 @@ std::size_t bytes_of(const World& world) {
            bytes_in(world.flippers()) + bytes_in(world.movers()) + bytes_of_edges(world.movers()) +
            bytes_in(world.seesaws()) + bytes_in(world.held_balls()) +
            bytes_in(world.held_capsules()) + bytes_in(world.hands().each) +
-           bytes_in(world.counters()) + bytes_in(world.removed()) + world.memory().bytes();
+           bytes_in(world.ledger().counters) + bytes_in(world.ledger().removed) +
+           world.memory().bytes();
 }
 
 BallId add_ball(World& world, const BallSpec& spec) {
@@ -248,7 +249,7 @@ void remove_capsule(World& world, CapsuleId id) {
 }
 
 std::vector<std::uint64_t> census(const World& world) {
-    std::vector<std::uint64_t> counts = world.counters();
+    std::vector<std::uint64_t> counts = world.ledger().counters;
     for (const Zone& zone : world.zones()) {
         if (zone.effect != Zone::Effect::census) continue;
         for (const Vec2 position : world.balls().position)

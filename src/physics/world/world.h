@@ -68,10 +68,8 @@ class World {
     /// How far the hands that hold those may move in a tick; not of flippers or movers.
     const Hands& hands() const { return hands_; }
 
-    const std::vector<std::uint64_t>& counters() const { return ledger_.counters; }
-    const std::vector<Removal>& removed() const { return ledger_.removed; }
-    std::uint64_t ball_ball_collisions() const { return ledger_.ball_ball_collisions; }
-    std::uint64_t ball_edge_collisions() const { return ledger_.ball_edge_collisions; }
+    /// What has been counted and removed.
+    const Ledger& ledger() const { return ledger_; }
 
     const SolverMemory& memory() const { return memory_; }
     const Stamps& stamps() const { return stamps_; }
@@ -174,7 +172,7 @@ void forget_trajectories(World& world);
 void remove_ball(World& world, BallId id);
 void remove_capsule(World& world, CapsuleId id);
 
-/// World::counters with the balls that are in census zones now. Index = Zone::counter.
+/// Ledger::counters with the balls that are in census zones now. Index = Zone::counter.
 std::vector<std::uint64_t> census(const World& world);
 
 /// Whether a ball of kind `a` and a ball of kind `b` meet; and a ball of a kind with an edge of a

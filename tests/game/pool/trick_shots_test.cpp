@@ -51,7 +51,7 @@ TEST_CASE("the trick shots do what their levels describe") {
                      Tracks::none);
         CHECK(ahead.comes_to_rest);
         std::vector<std::string> fell;
-        for (const Removal& removal : ahead.world.removed())
+        for (const Removal& removal : ahead.world.ledger().removed)
             fell.push_back(scene.ball_names[number(removal.id)]);
         std::ranges::sort(fell);
         CHECK(fell == trick.falls);

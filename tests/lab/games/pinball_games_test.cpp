@@ -132,7 +132,7 @@ TEST_CASE("no launch that reaches the table drains at once") {
             const auto run = [&](double seconds) {
                 const std::uint64_t until =
                     world.tick() + static_cast<std::uint64_t>(seconds * world.rate());
-                while (world.tick() < until && world.removed().empty()) {
+                while (world.tick() < until && world.ledger().removed.empty()) {
                     solver.tick(world);
                     update_game(scene, world, game, solver.contacts());
                 }
@@ -140,7 +140,7 @@ TEST_CASE("no launch that reaches the table drains at once") {
             run(0.6);
             pull_plunger(scene, world, std::get<PinballState>(game), 0.05 * pull, true);
             run(3.0);
-            CHECK(world.removed().empty());
+            CHECK(world.ledger().removed.empty());
         }
     }
 }

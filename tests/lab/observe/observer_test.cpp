@@ -235,7 +235,7 @@ TEST_CASE("msd: removed balls no longer count, and later ones never do") {
         "ball a at=0,0 kind=drop v=1,0\nball b at=9,-20 kind=drop v=0,5\n"
         "zone out 9,0 9,0 r=1 sink\nobserve msd\n");
     run.run(7.0);
-    CHECK(run.world.removed().size() == 1);
+    CHECK(run.world.ledger().removed.size() == 1);
     CHECK(*run.value("msd") == doctest::Approx(49.0));
 }
 

@@ -139,7 +139,7 @@ TEST_CASE("contact: an elastic ball keeps bouncing, and its energy never rises")
         solver.tick(world);
         most = std::max(most, energy(world));
     }
-    CHECK(world.ball_edge_collisions() > 20);
+    CHECK(world.ledger().ball_edge_collisions > 20);
     CHECK(energy(world) == doctest::Approx(before).epsilon(1e-12));
     CHECK(most <= before * (1 + 1e-12));
 }

@@ -104,11 +104,11 @@ TEST_CASE("elastic flights: a jammed ball keeps its energy, however often it bou
         add_capsule(world, {{-50.0, 1.5001}, {50.0, 1.5001}, 1.0}, 0);
         add_ball(world, {.position = {0.0, 0.0}, .velocity = {0.3, 1000.0}, .radius = 0.5});
         const double energy = totals(world).kinetic_energy;
-        const auto bounces = world.ball_edge_collisions();
+        const auto bounces = world.ledger().ball_edge_collisions;
         Solver solver({.kind = kind});
         for (int i = 0; i < 5; ++i)
             solver.tick(world);
-        CHECK(world.ball_edge_collisions() > bounces + 5 * 4000);
+        CHECK(world.ledger().ball_edge_collisions > bounces + 5 * 4000);
         CHECK(totals(world).kinetic_energy == doctest::Approx(energy).epsilon(1e-11));
         CHECK(std::abs(world.balls().position[0].y) < 1.0001e-4);
     }
@@ -123,7 +123,7 @@ TEST_CASE("contact: in pure flight it has the bits of swept, whatever its subste
         contact.tick(pressed);
         flights.tick(swept);
     }
-    CHECK(pressed.ball_ball_collisions() > 100);
+    CHECK(pressed.ledger().ball_ball_collisions > 100);
     CHECK(contact_memory(pressed).reference.ball.empty());
     CHECK(fingerprint(pressed) == fingerprint(swept));
 }

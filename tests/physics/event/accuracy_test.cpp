@@ -40,7 +40,7 @@ std::string text(double value) {
 }
 
 std::uint64_t collisions(const World& world) {
-    return world.ball_ball_collisions() + world.ball_edge_collisions();
+    return world.ledger().ball_ball_collisions + world.ledger().ball_edge_collisions;
 }
 
 // The number of collisions of a ball of mass 100^k that moves at a light one in front of a wall.

@@ -119,7 +119,7 @@ TEST_CASE("event: a bucket of balls comes to rest as a cluster, without sinking 
         MESSAGE("restitution ", restitution, ": gained in a tick ", most_gained / start,
                 ", deepest ", deepest, ", at rest ", deepest_overlap(world), ", KE ",
                 end.kinetic_energy, ", most contacts ", contacts, ", all ",
-                world.ball_ball_collisions());
+                world.ledger().ball_ball_collisions);
         CHECK(still < 4);
         CHECK(world.balls().size() == 120);
         CHECK(event_memory(world).clustered.size() > 60);
@@ -130,7 +130,7 @@ TEST_CASE("event: a bucket of balls comes to rest as a cluster, without sinking 
         CHECK(deepest_overlap(world) < 1e-3);
         CHECK(end.kinetic_energy < 1e-9);
         // Event-driven alone it has 4 million contacts within 5 s, up to 20,000 in a tick.
-        CHECK(world.ball_ball_collisions() < 200'000);
+        CHECK(world.ledger().ball_ball_collisions < 200'000);
         for (const Vec2 place : world.balls().position)
             CHECK((place.x > 0.0 && place.x < 20.0 && place.y > 0.0));
         // A ball that falls on the heap is on an exact trajectory until it arrives.
@@ -425,10 +425,10 @@ TEST_CASE("event: an elastic gas above a cluster keeps its energy") {
         return sum;
     };
     const double before = energy_above();
-    const std::uint64_t collisions = world.ball_ball_collisions();
+    const std::uint64_t collisions = world.ledger().ball_ball_collisions;
     for (int i = 0; i < 600; ++i)
         solver.tick(world);
-    CHECK(world.ball_ball_collisions() - collisions > 100);
+    CHECK(world.ledger().ball_ball_collisions - collisions > 100);
     CHECK(event_memory(world).clustered.size() > 30);
     CHECK(event_memory(world).clustered.back() < BallId{static_cast<std::uint32_t>(first)});
     MESSAGE("relative drift ", (energy_above() - before) / before);

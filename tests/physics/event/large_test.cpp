@@ -33,7 +33,7 @@ TEST_CASE("event: many balls continue with the same bits, even as they become fe
             REQUIRE(fingerprint(world) == fingerprint(fresh));
         }
         CHECK(world.balls().size() == 4'400);
-        CHECK(world.ball_ball_collisions() > 1'000);
+        CHECK(world.ledger().ball_ball_collisions > 1'000);
     }
 }
 

@@ -67,7 +67,7 @@ TEST_CASE("event: gases have the same bits on the fast path and on the general o
                     REQUIRE((a.approach == b.approach && a.impulse == b.impulse));
                 }
             }
-            CHECK(by_lines.ball_ball_collisions() > 500);
-            CHECK(by_lines.ball_edge_collisions() > 50);
+            CHECK(by_lines.ledger().ball_ball_collisions > 500);
+            CHECK(by_lines.ledger().ball_edge_collisions > 50);
         }
 }

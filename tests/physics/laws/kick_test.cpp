@@ -23,9 +23,9 @@ World above_an_edge(const Material& material, double x, double speed) {
 
 Vec2 velocity_after_hit(World world, SolverKind kind) {
     Solver solver({.kind = kind});
-    for (int tick = 0; tick < 400 && world.ball_edge_collisions() == 0; ++tick)
+    for (int tick = 0; tick < 400 && world.ledger().ball_edge_collisions == 0; ++tick)
         solver.tick(world);
-    REQUIRE(world.ball_edge_collisions() == 1);
+    REQUIRE(world.ledger().ball_edge_collisions == 1);
     return world.balls().velocity[0];
 }
 
@@ -61,13 +61,13 @@ TEST_CASE("a lowered edge lets balls pass until it is raised, in every solver") 
         Solver solver({.kind = kind});
         for (int tick = 0; tick < 200; ++tick)
             solver.tick(world);
-        CHECK(world.ball_edge_collisions() == 0);
+        CHECK(world.ledger().ball_edge_collisions == 0);
         CHECK(world.balls().position[0].y < -2.0);
         set_side(world, world.capsules().id[0], Side::both);
         world.edit_balls().velocity[0].y = 2.0;
         for (int tick = 0; tick < 200; ++tick)
             solver.tick(world);
-        CHECK(world.ball_edge_collisions() == 1);
+        CHECK(world.ledger().ball_edge_collisions == 1);
         CHECK(world.balls().position[0].y < -1.0);
     }
 }

@@ -166,7 +166,7 @@ TEST_CASE(
             last = now;
         }
         const Totals after = totals(world);
-        CHECK(world.ball_ball_collisions() > 30);
+        CHECK(world.ledger().ball_ball_collisions > 30);
         CHECK(after.kinetic_energy < 0.995 * before.kinetic_energy);
         CHECK(length(after.momentum - before.momentum) < 1e-10 * 1000.0);
         // Position correction moves balls, and changes their angular momentum about the origin.

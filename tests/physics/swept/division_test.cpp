@@ -57,7 +57,7 @@ TEST_CASE("swept: balls that cross the whole scene keep their energy, and none g
     for (int i = 0; i < 2; ++i)
         solver.tick(world);
     CHECK(solver.standing().empty());
-    CHECK(world.ball_ball_collisions() > 900 * 50);
+    CHECK(world.ledger().ball_ball_collisions > 900 * 50);
     CHECK(totals(world).kinetic_energy == doctest::Approx(energy).epsilon(1e-11));
     CHECK(deepest_overlap(world) < 1e-9);
     for (const Vec2 position : world.balls().position) {

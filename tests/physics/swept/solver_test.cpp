@@ -69,7 +69,7 @@ TEST_CASE("small fast balls do not pass through each other") {
         const int ticks = static_cast<int>(std::ceil(10.0 / speed * 60.0)) + 1;
         for (int i = 0; i < ticks; ++i)
             solver.tick(world);
-        CHECK(world.ball_ball_collisions() == 1);
+        CHECK(world.ledger().ball_ball_collisions == 1);
         CHECK(world.balls().velocity[0].x == -speed);
         CHECK(world.balls().velocity[1].x == speed);
         CHECK(world.balls().position[0].x < world.balls().position[1].x);
@@ -83,7 +83,8 @@ TEST_CASE("two blocks and a wall count the digits of pi") {
         Solver solver({.kind = SolverKind::swept});
         for (int i = 0; i < 6000; ++i)
             solver.tick(world);
-        CHECK(world.ball_ball_collisions() + world.ball_edge_collisions() == digits[k]);
+        CHECK(world.ledger().ball_ball_collisions + world.ledger().ball_edge_collisions ==
+              digits[k]);
     }
 }
 

@@ -81,9 +81,9 @@ TEST_CASE("sinks: a ball in one is counted and removed, and nothing holds it any
     world.edit_held_balls() = {{held, {5.0, 0.0}}, {free, {20.0, 0.0}}};
     Solver(SolverSettings{.kind = SolverKind::swept}).tick(world);
     CHECK(world.balls().id == std::vector<BallId>{free});
-    CHECK(world.counters()[0] == 1);
-    REQUIRE(world.removed().size() == 1);
-    CHECK(world.removed()[0].id == held);
+    CHECK(world.ledger().counters[0] == 1);
+    REQUIRE(world.ledger().removed.size() == 1);
+    CHECK(world.ledger().removed[0].id == held);
     REQUIRE(world.held_balls().size() == 1);
     CHECK(world.held_balls()[0].id == free);
 }
@@ -114,7 +114,7 @@ TEST_CASE("sinks: balls between rows of sinks stay, and those in any of them go"
     sinks.drain(world);
     CHECK(world.balls().id == staying);
     CHECK(staying.size() < count);
-    CHECK(world.counters()[0] == count - staying.size());
+    CHECK(world.ledger().counters[0] == count - staying.size());
 
     // A pocket that comes later, in the middle.
     world.edit_definition().zones.push_back({{{0.0, 0.0}, {0.0, 0.0}, 1.0}, Zone::Effect::sink, 0});

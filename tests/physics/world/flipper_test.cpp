@@ -104,13 +104,13 @@ TEST_CASE("a motorised edge throws like a moving wall, in every solver") {
         const BallId ball =
             add_ball(world, {.kind = 0, .position = {0.0, 1.5}, .velocity = {3.0, -2.0}});
         Solver solver({.kind = kind});
-        for (int tick = 0; tick < 200 && world.ball_edge_collisions() == 0; ++tick) {
+        for (int tick = 0; tick < 200 && world.ledger().ball_edge_collisions == 0; ++tick) {
             const Vec2 step{0.0, 0.004};
             const Capsule shape = world.capsules().shape[0];
             world.edit_held_capsules() = {{wall, shape.start + step, shape.end + step, true}};
             solver.tick(world);
         }
-        REQUIRE(world.ball_edge_collisions() == 1);
+        REQUIRE(world.ledger().ball_edge_collisions == 1);
         // The wall moves up at 4, the ball came down at 2: they approach at 6.
         const double leaves = 4.0 + 0.8 / (1.0 + 0.1 * 6.0) * 6.0;
         const Vec2 velocity = world.balls().velocity[*index_of(world, ball)];

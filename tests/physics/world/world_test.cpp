@@ -24,9 +24,9 @@ TEST_CASE("ids are unique, ascending, and survive removals") {
     CHECK(index_of(world, b) == 0);
     CHECK(index_of(world, c) == 1);
     CHECK_FALSE(index_of(world, a));
-    CHECK(world.removed().size() == 1);
+    CHECK(world.ledger().removed.size() == 1);
     remove_ball(world, a);
-    CHECK(world.removed().size() == 1);
+    CHECK(world.ledger().removed.size() == 1);
 }
 
 TEST_CASE("unused features cost no bytes") {
@@ -160,5 +160,5 @@ TEST_CASE("a census counts the balls that are now in a zone") {
     add_ball(world, {.position = {4, 1}, .velocity = {}});
     add_ball(world, {.position = {40, 1}, .velocity = {}});
     CHECK(census(world) == std::vector<std::uint64_t>{1, 2});
-    CHECK(world.counters() == std::vector<std::uint64_t>{0, 0});
+    CHECK(world.ledger().counters == std::vector<std::uint64_t>{0, 0});
 }

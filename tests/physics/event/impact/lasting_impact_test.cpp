@@ -240,7 +240,7 @@ TEST_CASE("lasting impact: two balls alone have the bits of an impact that takes
         REQUIRE(world.balls().position == plain.balls().position);
         REQUIRE(world.balls().velocity == plain.balls().velocity);
     }
-    CHECK(world.ball_ball_collisions() >= 2);
+    CHECK(world.ledger().ball_ball_collisions >= 2);
 }
 
 TEST_CASE("lasting impact: a gap counts if it closes in time, however it came about") {
@@ -299,7 +299,7 @@ TEST_CASE("lasting impact: a break has the same bits at any rate, and from any s
         REQUIRE(slow.balls().spin == fast.balls().spin);
         REQUIRE(copy.balls().position == fast.balls().position);
     }
-    CHECK(slow.ball_ball_collisions() > 30);
+    CHECK(slow.ledger().ball_ball_collisions > 30);
 }
 
 TEST_CASE("lasting impact: the order of the balls in the file shows in rounding alone") {
@@ -356,7 +356,7 @@ TEST_CASE("lasting impact: through a frozen pair the second ball is thrown, by f
         scenes::put(world, {0.0, 0.0});
         scenes::put(world, {2.0 * pool_ball, 0.0});
         scenes::put(world, way * (-0.2), way * 3.0);
-        while (world.ball_ball_collisions() == 0)
+        while (world.ledger().ball_ball_collisions == 0)
             run(world, 1.0 / 240.0);
         const Vec2 off = world.balls().velocity[1];
         CHECK(length(off) > 1.0);
