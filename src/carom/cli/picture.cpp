@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "carom/files/files.h"
+#include "carom/files/high_scores.h"
 #include "carom/files/level_source.h"
 #include "carom/files/output_clash.h"
 #include "carom/files/print.h"
@@ -115,6 +116,11 @@ int picture(const PictureOptions& options) {
         view.look.utf8 = false;
     }
     Player player(std::move(game.session), view, KeyMap(), game.solver_is_picked);
+    // As a user sees it who has no scores yet.
+    const PinballTable& table = player.session().scene().table;
+    if (table.is_game)
+        player.set_high_scores(
+            with_house_scores({.lines = {}, .most = table.highscores}, table.replay));
     Canvas canvas(options.columns, options.rows);
     if (options.demo) {
         player.demonstrate();
