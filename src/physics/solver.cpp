@@ -49,6 +49,7 @@ struct Solver::State {
     TickOutcome advance_by_trial(World& world, bool has_hands, bool has_movers,
                                  const std::function<bool()>& keep_going);
     bool is_sound_for_movers(const World& world);
+    void note_standing(const World& world);
 };
 
 TickOutcome Solver::State::advance(World& world, const std::function<bool()>& keep_going,
@@ -56,6 +57,14 @@ TickOutcome Solver::State::advance(World& world, const std::function<bool()>& ke
     contacts.clear();
     touched.assign(world.balls().size(), 0);
     return method->advance(world, {contacts, touched, keep_going, is_strict, is_repeated});
+}
+
+// A trial that is rejected counts too: where it was a limit that made it unsound, hands and movers
+// yield to that limit.
+void Solver::State::note_standing(const World& world) {
+    name_standing(world, method->standing(), standing);
+    name_standing(world, method->standing_before(), standing);
+    standing_seesaws = std::max(standing_seesaws, count_standing_seesaws(world));
 }
 
 bool Solver::State::is_sound_for_movers(const World& world) {
@@ -88,6 +97,7 @@ TickOutcome Solver::State::advance_by_trial(World& world, bool has_hands, bool h
             if (has_movers) movers.end(world);
             return outcome;
         }
+        note_standing(world);
         is_strict = is_strict || (!suits_hands && share == 0.0);
         if (!suits_hands) share = HandStep::next_share(share);
         world = before;
@@ -143,11 +153,10 @@ TickOutcome Solver::tick(World& world, const std::function<bool()>& keep_going) 
         state.undo.take_back(world);
         return outcome;
     }
-    name_standing(world, state.method->standing(), state.standing);
+    state.note_standing(world);
     rest_flippers(world);
-    state.standing_seesaws = count_standing_seesaws(world);
     keep_seesaws(world);
-    if (!state.standing.empty()) stall_flippers(world);
+    if (!state.method->standing().empty()) stall_flippers(world);
     stop_slow_balls(world, state.touched);
     ++world.edit_tick();
     state.pressing.assign(state.method->pressing().begin(), state.method->pressing().end());

@@ -82,7 +82,9 @@ class Solver {
 
     /// The balls for which time stood still in a part of the last tick, ascending: a limit of work
     /// was reached (tick/work_budget.h), or the solver could follow their paths no further
-    /// (docs/physics.md). They have kept their velocities. Valid until the next tick.
+    /// (docs/physics.md). They have kept their velocities. Of a tick that hands, movers or a hybrid
+    /// step repeat, those of all trials, also of trials that have been rejected. Valid until the
+    /// next tick.
     std::span<const BallId> standing() const;
     /// For how many seesaws time stood still in a part of the last tick: world/seesaw.h.
     std::size_t standing_seesaws() const;

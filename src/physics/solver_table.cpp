@@ -138,6 +138,9 @@ class EventMethod final : public SolverMethod {
     std::span<const std::uint32_t> standing() const override {
         return was_hybrid_ ? hybrid_.standing() : event_.standing();
     }
+    std::span<const std::uint32_t> standing_before() const override {
+        return was_hybrid_ ? hybrid_.standing_before() : std::span<const std::uint32_t>();
+    }
     std::span<const Contact> pressing() const override {
         return was_hybrid_ ? hybrid_.pressing() : std::span<const Contact>();
     }

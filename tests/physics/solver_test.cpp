@@ -444,3 +444,32 @@ TEST_CASE("swept: a repeated tick has what the trial before it has left of the b
     CHECK(repeated < first);
     CHECK(impacts_of_trial(false) == first);
 }
+
+// Regression: only the last trial was told of. A limit may be what makes a trial unsound.
+TEST_CASE("time that stands still in a trial that is rejected is told") {
+    // A hand throws a heavy ball. In the first trial it reaches a ball in a slot, which then meets
+    // the walls a million times, and two more, of which the last becomes too fast for the hand.
+    for (const SolverKind kind : {SolverKind::swept, SolverKind::event}) {
+        CAPTURE(name(kind));
+        World world = scenes::empty();
+        world.edit_definition().rate = 1.0;
+        add_capsule(world, {{-2.0, -5.0}, {-2.0, 5.0}, 0.0}, 0);
+        add_capsule(world, {{8999.5, 2.20001}, {30000.0, 2.20001}, 0.0}, 0);
+        add_capsule(world, {{8999.5, 0.19999}, {30000.0, 0.19999}, 0.0}, 0);
+        add_ball(world, {.radius = 2.0, .mass = 1e6});
+        add_ball(world, {.position = {9000.0, 1.2}, .radius = 1.0});
+        add_ball(world, {.position = {8999.0, -1.9}, .radius = 1.0, .mass = 100.0});
+        add_ball(world, {.position = {9000.7, -3.3}, .radius = 1.0});
+        world.edit_held_capsules().push_back({.id = world.capsules().id[0],
+                                              .start_target = {9998.0, -5.0},
+                                              .end_target = {9998.0, 5.0}});
+        Solver solver({.kind = kind});
+        CHECK(solver.tick(world) == TickOutcome::stood_still);
+        REQUIRE(solver.standing().size() == 1);
+        CHECK(solver.standing()[0] == world.balls().id[1]);
+        // The trial that counts ends before.
+        CHECK(world.hands().share == 0.5);
+        CHECK(world.balls().position[0].x > 4998.0);
+        CHECK(world.balls().position[1].x == 9000.0);
+    }
+}

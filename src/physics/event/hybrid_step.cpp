@@ -20,6 +20,7 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
                               std::vector<Contact>& contacts, std::vector<std::uint8_t>& touched,
                               const std::function<bool()>& keep_going, bool is_repeated) {
     pressing_.clear();
+    standing_before_.clear();
     cluster_.find(world);
     if (!cluster_.has_balls()) {
         // The balls of the cluster no longer exist, or a hand lifts nothing.
@@ -42,7 +43,10 @@ EventOutcome HybridStep::tick(World& world, EventEngine<double>& event, ContactS
         contact.tick(dense_.world, substeps_for(dense_.world), dense_.contacts, dense_.touched);
         const bool free_went_further = widen_reaches(world, free_);
         if (widen_reaches(world, dense_) || free_went_further)
-            if (cluster_.find_again(world)) continue;
+            if (cluster_.find_again(world)) {
+                note_standing(event, contact, standing_before_);
+                continue;
+            }
         write_back(world, touched);
         note_pressing(event, contact);
         merge_contacts(contacts);
@@ -156,12 +160,17 @@ void HybridStep::write_back(World& world, std::vector<std::uint8_t>& touched) co
 // What both solvers say of the tick, by index in the whole.
 void HybridStep::note_pressing(const EventEngine<double>& event, const ContactSolver& contact) {
     standing_.clear();
-    for (const std::uint32_t ball : event.standing())
-        standing_.push_back(free_.ball[ball]);
-    for (const std::uint32_t ball : contact.standing())
-        standing_.push_back(dense_.ball[ball]);
+    note_standing(event, contact, standing_);
     pressing_.assign(contact.pressing().begin(), contact.pressing().end());
     name_by_whole(dense_, pressing_);
+}
+
+void HybridStep::note_standing(const EventEngine<double>& event, const ContactSolver& contact,
+                               std::vector<std::uint32_t>& standing) const {
+    for (const std::uint32_t ball : event.standing())
+        standing.push_back(free_.ball[ball]);
+    for (const std::uint32_t ball : contact.standing())
+        standing.push_back(dense_.ball[ball]);
 }
 
 // Trajectories from the free part, persistent contacts from the cluster.

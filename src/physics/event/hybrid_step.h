@@ -50,6 +50,8 @@ class HybridStep {
     std::span<const Contact> pressing() const { return pressing_; }
     /// The balls for which time stood still in a part of the last tick, by index, with repetitions.
     std::span<const std::uint32_t> standing() const { return standing_; }
+    /// The same of its rejected attempts, which have used up the budget of work.
+    std::span<const std::uint32_t> standing_before() const { return standing_before_; }
 
   private:
     /// Some of the balls of a world, as a world of their own.
@@ -69,12 +71,15 @@ class HybridStep {
     void step_all(World& world, ContactSolver& contact, std::vector<Contact>& contacts,
                   std::vector<std::uint8_t>& touched);
     void write_back(World& world, std::vector<std::uint8_t>& touched) const;
+    void note_standing(const EventEngine<double>& event, const ContactSolver& contact,
+                       std::vector<std::uint32_t>& standing) const;
     void note_pressing(const EventEngine<double>& event, const ContactSolver& contact);
     void merge_contacts(std::vector<Contact>& contacts);
     void merge_memory(World& world);
     static int substeps_for(const World& cluster);
 
     std::vector<std::uint32_t> standing_;
+    std::vector<std::uint32_t> standing_before_;
     std::vector<Contact> pressing_;
     HybridCluster cluster_;
     Part free_;
