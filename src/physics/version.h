@@ -66,6 +66,9 @@ namespace carom {
 /// - `contact`: only balls that might leave their skins get new reference positions, so constraints
 ///   are solved in another order. Impacts are searched where something has moved a ball off its
 ///   free flight.
-inline constexpr int physics_version = 6;
+/// 7:
+/// - `swept`: a ball that rests weighs on a ball that lifts it, and pays for its height where a hit
+///   lifts it off its supports.
+inline constexpr int physics_version = 7;
 
 }  // namespace carom

@@ -38,8 +38,9 @@ SweptSubstep swept_substep(const World& world, double duration) {
     step.rest_speed =
         model.gravity ? swept_tolerance::resting_approach * length(*model.gravity) * step.duration
                       : 0.0;
-    step.keeps_energy =
-        !model.inelastic && world.held_balls().empty() && world.held_capsules().empty();
+    const bool is_held = !world.held_balls().empty() || !world.held_capsules().empty();
+    step.keeps_energy = !model.inelastic && !is_held;
+    step.counts_lifts = model.gravity && !model.cloth && !is_held;
     return step;
 }
 
@@ -192,6 +193,7 @@ void SweptPaths::rest_on(const World& world, std::uint32_t ball, Vec2 normal, do
     if (dot(rest.support, normal) < 0.999) rest.other_support = rest.support;
     rest.support = normal;
     rest.gravity = left_by_supports(step_.gravity, rest.support, rest.other_support);
+    rest.borne = rest.gravity - step_.gravity;
     if (follow != 0.0) rest.gravity += normal * follow;
     if (world.model().spin) spin_rate_[ball] = 0.0;
 }

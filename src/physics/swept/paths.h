@@ -30,6 +30,7 @@ struct alignas(64) SweptPath {
 /// The resting contacts of a ball.
 struct SweptRest {
     Vec2 gravity;  ///< the rest of gravity that the supports do not bear, and friction, length/s^2
+    Vec2 borne;    ///< against the part of gravity that the supports bear, length/s^2
     Vec2 support;  ///< normals of the last two supports, 0 where there is none
     Vec2 other_support;
 };

@@ -31,8 +31,13 @@ std::optional<Contact> SweptResponse::collide_balls(World& world, const SweptEve
     impact.inverse_a = paths_[a].is_frozen ? 0.0 : paths_.inverse_mass(a);
     impact.inverse_b = paths_[b].is_frozen ? 0.0 : paths_.inverse_mass(b);
     impact.approach = -dot(impact.velocity_a - impact.velocity_b, normal);
+    const BallImpact before = impact;
+    double most_lift = 0.0;
+    if (step_.counts_lifts) most_lift = lifts(impact);
     const Passed passed = pass_between(world, impact);
+    if (step_.counts_lifts) most_lift += energy_lost(before, impact);
     if (world.model().spin) apply_ball_friction(world, impact, passed);
+    if (step_.counts_lifts) pay_for_lifts(impact, before, most_lift);
     const bool is_resting = passed.is_resting || !passed.is_contact;
     for (const std::uint32_t ball : {a, b}) {
         if (!is_resting) paths_.end_rest(ball);
@@ -114,25 +119,9 @@ SweptResponse::Passed SweptResponse::rest_together(const World& world, BallImpac
         bounce(impact.velocity_a, on_a ? 0.0 : impact.inverse_a, impact.velocity_b,
                on_b ? 0.0 : impact.inverse_b, impact.normal,
                impact.approach > 0.0 ? swept_tolerance::resting_restitution : 0.0);
-    if (up > 0.0 && b.is_grounded)
-        rest_on_ball(world, impact.a, impact.normal, impact.now, impact.velocity_a);
-    if (up < 0.0 && a.is_grounded)
-        rest_on_ball(world, impact.b, -impact.normal, impact.now, impact.velocity_b);
+    if (up > 0.0 && b.is_grounded) paths_.rest_on(world, impact.a, impact.normal);
+    if (up < 0.0 && a.is_grounded) paths_.rest_on(world, impact.b, -impact.normal);
     return {exchange, true, impact.approach > 0.0};
-}
-
-// The support takes the weight until the substep ends, but is not slowed by it. So a ball that
-// rises with its support is slowed by what the height costs. Hands and movers may do work on both,
-// so where there are any, it is not.
-void SweptResponse::rest_on_ball(const World& world, std::uint32_t ball, Vec2 normal, double now,
-                                 Vec2& velocity) {
-    paths_.rest_on(world, ball, normal);
-    if (!world.held_capsules().empty() || !world.held_balls().empty()) return;
-    const double borne = dot(paths_.gravity_on(ball) - step_.gravity, normal);
-    const double fall = borne * (step_.duration - now);
-    const double rise = dot(velocity, normal);
-    if (!(rise > swept_tolerance::unpaid_rise * step_.rest_speed) || !(fall > 0.0)) return;
-    velocity += normal * (rise * rise / (std::sqrt(rise * rise + fall * fall) + fall) - rise);
 }
 
 void SweptResponse::apply_ball_friction(World& world, BallImpact& impact,
@@ -192,7 +181,11 @@ SweptOutcome SweptResponse::collide_edge(World& world, const SweptEvent& event) 
 std::optional<Contact> SweptResponse::collide_free_ball(World& world, EdgeImpact& impact) {
     const std::uint32_t ball = impact.ball;
     const double approach = impact.approach;
+    const Vec2 before = impact.velocity;
+    double most_lift = 0.0;
+    if (step_.counts_lifts) most_lift = lift(ball, before, impact.now);
     const Passed passed = bounce_off_edge(world, impact);
+    if (step_.counts_lifts) most_lift += energy_lost(ball, before, impact.velocity);
     if (passed.rolls_on) paths_.end_rest(ball);
     if (world.model().spin && !passed.is_resting)
         apply_edge_friction(world, impact, passed.exchange.impulse);
@@ -208,6 +201,7 @@ std::optional<Contact> SweptResponse::collide_free_ball(World& world, EdgeImpact
     } else if (approach > 0.0) {
         paths_.end_rest(ball);
     }
+    if (step_.counts_lifts) pay_for_lift(impact, before, most_lift, world.balls().radius[ball]);
     const bool is_thrown = impact.is_driven && impact.pushing > 0.0;
     if ((passed.is_resting && !is_thrown && !passed.rolls_on) || !(approach > 0.0))
         paths_.count_resting_impact(world, ball, impact.velocity);

@@ -78,8 +78,6 @@ class SweptResponse {
     Passed rest_together(const World& world, BallImpact& impact);
     bool meet_again(const World& world, const BallImpact& impact, Vec2 velocity_a,
                     Vec2 velocity_b) const;
-    void rest_on_ball(const World& world, std::uint32_t ball, Vec2 normal, double now,
-                      Vec2& velocity);
     void apply_ball_friction(World& world, BallImpact& impact, const Passed& passed) const;
 
     SweptOutcome collide_edge(World& world, const SweptEvent& event);
@@ -91,6 +89,17 @@ class SweptResponse {
     Passed roll_on(EdgeImpact& impact) const;
     Exchange rest_on_edge(EdgeImpact& impact, double restitution) const;
     void apply_edge_friction(World& world, EdgeImpact& impact, double impulse) const;
+
+    // What it costs to lift resting balls: lifts.cpp.
+    double lift(std::uint32_t ball, Vec2 velocity, double now) const;
+    double lifts(const BallImpact& impact) const;
+    double energy_lost(std::uint32_t ball, Vec2 before, Vec2 after) const;
+    double energy_lost(const BallImpact& before, const BallImpact& after) const;
+    double lift_by_rounding(std::uint32_t ball, Vec2 velocity, double now) const;
+    void pay(std::uint32_t ball, double now, Vec2& velocity) const;
+    void pay_for_lifts(BallImpact& impact, const BallImpact& before, double most) const;
+    void pay_for_lift(EdgeImpact& impact, Vec2 before, double most, double radius) const;
+    void weigh_on(BallImpact& impact, const BallImpact& before) const;
 
     void redirect(const World& world, std::uint32_t ball, double now, Vec2 velocity) {
         const bool is_first = paths_.redirect(world, ball, now, velocity);

@@ -18,6 +18,8 @@ struct SweptSubstep {
     /// Nothing but friction takes energy: a ball that is pressed too often does not come to rest,
     /// but time stands still for it.
     bool keeps_energy = false;
+    /// Nothing but the balls themselves can lift them: there is gravity, and no hand or mover.
+    bool counts_lifts = false;
 };
 
 /// The constants for a substep of `duration` s.

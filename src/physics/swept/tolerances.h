@@ -17,7 +17,7 @@
 /// | resting_restitution  | 1e-6  | share of the approach          | resting balls hop / rounding makes them meet again |
 /// | seesaw_restitution   | 0.01  | share of the approach          | balls hop on seesaws / they meet the turning edge again and freeze |
 /// | seesaw_following     | 4     | gravity                        | a fast light seesaw gains energy / balls hop on seesaws that turn |
-/// | unpaid_rise          | 0.1   | resting_approach               | balls on balls that rise gain energy / resting balls meet again |
+/// | uncounted_lift       | 1e-5  | radii of the ball, in a substep | balls that leave edges gain energy / balls come to rest elsewhere between two edges |
 /// | rounding             | 1e-14 | share of the speeds            | slow contacts are lost / rounding counts as contact |
 /// | most_resting_impacts | 16    | of a ball in a substep         | piles cost more / sliding balls freeze |
 /// | budget               | 12500 | tests of a pair, by ball and tick | ticks of 10 s / time stands still in jams and tubes |
@@ -40,9 +40,9 @@ inline constexpr double seesaw_restitution = 0.01;
 /// A ball rests on a seesaw only where following it takes an acceleration of at most this many
 /// times gravity.
 inline constexpr double seesaw_following = 4.0;
-/// A ball that rests on one which rises faster than this share of `resting_approach` pays for the
-/// height.
-inline constexpr double unpaid_rise = 0.1;
+/// A resting ball that an edge does not stop from leaving another one may be lifted by so much for
+/// nothing.
+inline constexpr double uncounted_lift = 1e-5;
 /// An approach slower than this share of the speeds of two bodies that touch, and of what gravity
 /// gives, is rounding.
 inline constexpr double rounding = 1e-14;
