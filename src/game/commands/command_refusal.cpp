@@ -5,6 +5,7 @@
 #include "game/commands/command.h"
 #include "game/commands/picking.h"
 #include "geometry/closest.h"
+#include "physics/world/images.h"
 #include "physics/world/quantities.h"
 
 /// The commands that a world refuses, and why.
@@ -40,6 +41,11 @@ Refusal unless_movable(const World& world, CapsuleId id) {
 Refusal unless_quantity(const auto& value, std::string_view what) {
     if (is_quantity(value)) return std::nullopt;
     return fmt::format("{} is out of range: quantities go up to 1e18", what);
+}
+
+Refusal unless_in_torus(const World& world, const Capsule& edge) {
+    if (has_all_images(world.model(), edge)) return std::nullopt;
+    return "the edge would reach too far out of the wrapped world";
 }
 
 /// The depth to which a ball overlaps an edge; negative: the distance between them.
@@ -88,6 +94,10 @@ std::optional<Obstacle> obstacle(const World& world, const Capsule& edge, ClassI
     return std::nullopt;
 }
 
+Capsule moved(const World& world, CapsuleId edge, Vec2 start, Vec2 end) {
+    return {start, end, world.capsules().shape[*index_of(world, edge)].radius};
+}
+
 // What is in the way of a command. Pre: its bodies and classes exist, its numbers are finite.
 
 std::optional<Obstacle> obstacle_of(const World& world, const AddBall& add) {
@@ -102,9 +112,8 @@ std::optional<Obstacle> obstacle_of(const World& world, const PlaceBall& place) 
 }
 
 std::optional<Obstacle> obstacle_of(const World& world, const PlaceCapsule& place) {
-    const std::size_t index = *index_of(world, place.capsule);
-    return obstacle(world, Capsule{place.start, place.end, world.capsules().shape[index].radius},
-                    world.capsules().material[index]);
+    return obstacle(world, moved(world, place.capsule, place.start, place.end),
+                    world.capsules().material[*index_of(world, place.capsule)]);
 }
 
 std::optional<Obstacle> obstacle_of(const World& world, const AddCapsule& add) {
@@ -148,7 +157,8 @@ Refusal refused(const World& world, const DropBall& drop) {
 Refusal refused(const World& world, const HoldCapsule& hold) {
     if (auto why = unless_movable(world, hold.capsule)) return why;
     if (auto why = unless_quantity(hold.start_target, "the place")) return why;
-    return unless_quantity(hold.end_target, "the place");
+    if (auto why = unless_quantity(hold.end_target, "the place")) return why;
+    return unless_in_torus(world, moved(world, hold.capsule, hold.start_target, hold.end_target));
 }
 
 Refusal refused(const World& world, const DropCapsule& drop) {
@@ -185,6 +195,8 @@ Refusal refused(const World& world, const PlaceCapsule& place) {
     if (auto why = unless_movable(world, place.capsule)) return why;
     if (auto why = unless_quantity(place.start, "the place")) return why;
     if (auto why = unless_quantity(place.end, "the place")) return why;
+    if (auto why = unless_in_torus(world, moved(world, place.capsule, place.start, place.end)))
+        return why;
     return blocked_by(obstacle_of(world, place));
 }
 
@@ -196,6 +208,7 @@ Refusal refused(const World& world, const AddCapsule& add) {
     if (auto why = unless_quantity(edge.end, "the place")) return why;
     if (!(edge.radius >= 0.0)) return "its radius must not be negative";
     if (auto why = unless_quantity(edge.radius, "its radius")) return why;
+    if (auto why = unless_in_torus(world, edge)) return why;
     return blocked_by(obstacle_of(world, add));
 }
 

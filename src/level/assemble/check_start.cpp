@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "geometry/closest.h"
 #include "level/fill/box_tree.h"
+#include "physics/world/images.h"
 
 namespace carom {
 namespace {
@@ -62,6 +64,19 @@ class StartCheck {
                                         "the ball is too large for the wrapped world",
                                         "each side of the world must be 4 radii at least");
             }
+        }
+        check_edges_of_torus(*world);
+    }
+
+    void check_edges_of_torus(const Box& world) {
+        const Model torus{.wrap = world};
+        int last = -1;
+        for (const CapsuleIr& edge : ir_.capsules) {
+            if (has_all_images(torus, edge.shape)) continue;
+            if (std::exchange(last, edge.chain) == edge.chain) continue;
+            context_.reporter.error("edge-too-large-for-torus", edge.origin.span(),
+                                    "the edge reaches too far out of the wrapped world",
+                                    "it may go beyond a border by 3/4 of the world's side at most");
         }
     }
 

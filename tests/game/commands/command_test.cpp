@@ -91,6 +91,24 @@ TEST_CASE("commands that cannot be executed are refused with a reason") {
     }
 }
 
+// Regression: an edge of side 1e18 on a torus of side 1 took minutes a tick.
+TEST_CASE("on a torus no edge may go where balls would not meet all of it") {
+    const World world = rainy_torus().world;
+    const Box torus = *world.model().wrap;
+    const Vec2 in = torus.low + size(torus) * 0.01;
+    const Vec2 out = torus.high + size(torus) * 0.8;
+    const Refused table[] = {
+        {command::AddCapsule{{in, out, 0.0}, 0}, ""},
+        {command::PlaceCapsule{CapsuleId{0}, in, out}, ""},
+        {command::HoldCapsule{CapsuleId{0}, in, out}, ""},
+    };
+    for (const Refused& row : table)
+        CHECK(refusal(world, row.command) ==
+              "the edge would reach too far out of the wrapped world");
+    CHECK_FALSE(
+        refusal(world, command::HoldCapsule{CapsuleId{0}, in, torus.high + size(torus) * 0.7}));
+}
+
 // Regression: fuzzed scene 7662. Gravity drew the balls at rest over the cloth, and no others.
 TEST_CASE("a table with a cloth has no other gravity, as in a level") {
     World world = busy_box().world;
