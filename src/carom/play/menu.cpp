@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 #include "carom/files/high_scores.h"
@@ -41,9 +42,20 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-bool matches(const MenuItem& item, const std::string& search) {
-    return lower_case(item.name + " " + item.title + " " + item.line).find(lower_case(search)) !=
-           std::string::npos;
+// How well the item matches: what it is called before what is said about it.
+enum class Match : std::uint8_t { is_called, begins, within_name, within_text, none };
+
+Match match_of(const MenuItem& item, const std::string& search) {
+    const std::string wanted = lower_case(search);
+    Match best = Match::none;
+    for (const std::string& text : {lower_case(item.name), lower_case(item.title)}) {
+        if (text == wanted) return Match::is_called;
+        const std::size_t at = text.find(wanted);
+        if (at != std::string::npos)
+            best = std::min(best, at == 0 ? Match::begins : Match::within_name);
+    }
+    const std::string all = lower_case(item.name + " " + item.title + " " + item.line);
+    return std::min(best, all.find(wanted) != std::string::npos ? Match::within_text : Match::none);
 }
 
 std::vector<std::string> score_notes(const std::string& path, std::size_t most) {
@@ -90,9 +102,17 @@ Menu::Menu(std::vector<MenuItem> items, Load load, std::string_view choose)
 
 std::vector<const MenuItem*> Menu::shown() const {
     std::vector<const MenuItem*> shown;
+    if (search_.empty()) {
+        for (const MenuItem& item : items_)
+            if (item.group == groups_[group_]) shown.push_back(&item);
+        return shown;
+    }
+    std::array<std::vector<const MenuItem*>, static_cast<std::size_t>(Match::none)> found;
     for (const MenuItem& item : items_)
-        if (search_.empty() ? item.group == groups_[group_] : matches(item, search_))
-            shown.push_back(&item);
+        if (const Match match = match_of(item, search_); match != Match::none)
+            found[static_cast<std::size_t>(match)].push_back(&item);
+    for (const auto& alike : found)
+        shown.insert(shown.end(), alike.begin(), alike.end());
     return shown;
 }
 
@@ -132,13 +152,14 @@ void Menu::tell(std::string message) {
 void Menu::search(std::string text) {
     const MenuItem* before = selected();
     search_ = std::move(text);
+    selected_ = 0;  // what matches best
     // What was found stays selected when the search ends.
-    if (search_.empty() && before)
+    if (search_.empty() && before) {
         group_ =
             static_cast<std::size_t>(std::ranges::find(groups_, before->group) - groups_.begin());
-    const auto all = shown();
-    const auto same = std::ranges::find(all, before);
-    selected_ = same == all.end() ? 0 : static_cast<std::size_t>(same - all.begin());
+        const auto all = shown();
+        selected_ = static_cast<std::size_t>(std::ranges::find(all, before) - all.begin());
+    }
     seconds_on_selected_ = 0.0;
     needs_draw_ = true;
 }

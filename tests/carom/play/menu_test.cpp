@@ -124,6 +124,24 @@ TEST_CASE("typing searches what is said about a level too") {
     CHECK(menu.shown().front()->name == "table");
 }
 
+TEST_CASE("a search selects what is called so before what is only said to be") {
+    std::vector<MenuItem> items{{"one-pocket", "One-pocket", "Pool", "/l/a.level", "Eight balls"},
+                                {"eight-ball", "8-ball", "Pool", "/l/b.level", "The balls"},
+                                {"balls", "Balls", "Toys", "/l/c.level", "In a box"}};
+    Menu menu(items, [](const MenuItem&) { return LoadedLevel{}; });
+    for (const char letter : std::string("ball")) {
+        InputEvent event;
+        event.key = static_cast<char32_t>(letter);
+        menu.handle(event);
+    }
+    std::vector<std::string> names;
+    for (const MenuItem* item : menu.shown())
+        names.push_back(item->name);
+    CHECK(names == std::vector<std::string>{"balls", "eight-ball", "one-pocket"});
+    REQUIRE(menu.selected());
+    CHECK(menu.selected()->name == "balls");
+}
+
 TEST_CASE("left and right open the groups, and one's own is there even while it is empty") {
     Visitor visitor;
     CHECK(visitor.selected() == "balls");
