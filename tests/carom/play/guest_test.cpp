@@ -58,11 +58,11 @@ TEST_CASE("a guest saves levels into its folder, and the oldest gives way") {
 TEST_CASE("a guest who presses no key is sent away, and the game is kept") {
     const TemporaryFolder home;
     {
-        TerminalProgram program(guest({"--guest-idle", "1s"}), at(home));
+        TerminalProgram program(guest({"--guest-idle", "3s"}), at(home));
         REQUIRE(program.wait_for_text("enter play"));
         program.send("cradle\r");
         REQUIRE(program.wait_for_text("menu"));
-        CHECK(program.wait_for_text("ended after 1 s without a key", 20.0));
+        CHECK(program.wait_for_text("ended after 3 s without a key", 20.0));
         CHECK(program.exit_status() == 0);
         CHECK(program.what_is_left_dirty() == "");
     }

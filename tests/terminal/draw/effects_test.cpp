@@ -203,7 +203,7 @@ TEST_CASE("effects: a flash that has gone out clears nothing") {
     drawn(scene, options, memory, {}, {&contact, 1});
     int frames = 0;
     for (; !memory.flashes.empty(); ++scene.world.edit_tick(), ++frames) {
-        const Cell& cell = drawn(scene, options, memory).at(20, 5);
+        const Cell cell = drawn(scene, options, memory).at(20, 5);
         CHECK((cell.foreground != default_color || cell.background != default_color));
     }
     CHECK(frames > 100);
