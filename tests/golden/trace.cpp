@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -26,7 +27,7 @@ char digest(std::initializer_list<double> numbers) {
         hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15u;
         hash ^= hash >> 29;
     }
-    return digits[hash >> 58];
+    return digits[static_cast<std::size_t>(hash >> 58)];
 }
 
 struct Row {
