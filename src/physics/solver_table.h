@@ -45,7 +45,7 @@ class SolverMethod {
     /// The balls for which time stood still in a part of the last tick, by index, with repetitions.
     virtual std::span<const std::uint32_t> standing() const { return {}; }
 
-    /// The same of attempts at the tick that it has rejected itself (event/hybrid_step.h).
+    /// The same for attempts at the tick that the solver rejected (event/hybrid_step.h).
     virtual std::span<const std::uint32_t> standing_before() const { return {}; }
 
     /// Solver::pressing, with bodies named by their indices in the world.

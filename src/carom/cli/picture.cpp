@@ -116,7 +116,7 @@ int picture(const PictureOptions& options) {
         view.look.utf8 = false;
     }
     Player player(std::move(game.session), view, KeyMap(), game.solver_is_picked);
-    // As a user sees it who has no scores yet.
+    // What a user without scores would see.
     const PinballTable& table = player.session().scene().table;
     if (table.is_game)
         player.set_high_scores(

@@ -125,8 +125,7 @@ PoolRuling judge(const PoolState& state, const PoolCall& call, const PoolShot& s
 /// Referee::is_warned by the referee of this rack.
 bool is_warned(const PoolState& state);
 
-/// Whether the opponent of the player who has fouled may have the balls put back: at snooker, after
-/// a miss.
+/// Whether the foul was also a miss, as in snooker: the opponent may then have the balls put back.
 bool is_miss(const PoolState& state);
 
 /// Referee::judge_time by the referee of this rack. A player who had to choose gets the first

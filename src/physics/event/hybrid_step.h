@@ -50,7 +50,7 @@ class HybridStep {
     std::span<const Contact> pressing() const { return pressing_; }
     /// The balls for which time stood still in a part of the last tick, by index, with repetitions.
     std::span<const std::uint32_t> standing() const { return standing_; }
-    /// The same of its rejected attempts, which have used up the budget of work.
+    /// The same for rejected attempts, which have drawn on the work budget too.
     std::span<const std::uint32_t> standing_before() const { return standing_before_; }
 
   private:

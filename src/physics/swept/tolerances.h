@@ -40,8 +40,8 @@ inline constexpr double seesaw_restitution = 0.01;
 /// A ball rests on a seesaw only where following it takes an acceleration of at most this many
 /// times gravity.
 inline constexpr double seesaw_following = 4.0;
-/// A resting ball that an edge does not stop from leaving another one may be lifted by so much for
-/// nothing.
+/// A resting ball that leaves one of its edges along another one may rise by this much without
+/// paying for it.
 inline constexpr double uncounted_lift = 1e-5;
 /// An approach slower than this share of the speeds of two bodies that touch, and of what gravity
 /// gives, is rounding.

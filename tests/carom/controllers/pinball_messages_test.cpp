@@ -62,7 +62,7 @@ TEST_CASE("a message can be read before the next one takes its place") {
     CHECK(messages.text().empty());
 }
 
-TEST_CASE("what pays much goes before what does not, which is told afterwards") {
+TEST_CASE("a jackpot is shown before a lesser message, which follows it") {
     Session session =
         session_of(with_rules("on first ends message \"KICKBACK LIT\"\n"
                               "on second ends score 15000, message \"JACKPOT 15,000\"\n")

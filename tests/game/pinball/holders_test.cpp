@@ -106,7 +106,7 @@ TEST_CASE("a ball that drains while another is locked ends the turn, and the loc
     CHECK_FALSE(is_lit(game, "saucer"));
 }
 
-TEST_CASE("a locked ball that a rule releases as the last one drains goes on with the turn") {
+TEST_CASE("the turn continues if a rule releases a locked ball as the last ball drains") {
     SmallTable game(
         "hole saucer at=100,400 toward=100,0 speed=1m/s keeps r=12\n"
         "game pinball save=0s balls=2\non ball drain release saucer\n");
